@@ -25,6 +25,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace swirl::apps {
 
 void add_commands(Program& program) {

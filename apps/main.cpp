@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <system_error>
 
 #if defined(__GLIBC__)

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace swirl::analysis {
 

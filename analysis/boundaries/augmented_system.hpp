@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <cstddef>
 #include <optional>
 
 namespace swirl::analysis {

@@ -1,6 +1,7 @@
 #include "analysis/boundaries/boundary.hpp"
 
 #include <array>
+#include <cstddef>
 
 namespace swirl::analysis {
 

@@ -5,6 +5,8 @@
 #include "analysis/curves/walk.hpp"
 
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>

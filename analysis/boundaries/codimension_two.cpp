@@ -7,6 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
 
 namespace swirl::analysis {
 

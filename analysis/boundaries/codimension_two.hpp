@@ -3,6 +3,7 @@
 
 #include "analysis/boundaries/augmented_system.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace swirl::analysis {

@@ -3,6 +3,7 @@
 
 #include "analysis/boundaries/augmented_system.hpp"
 
+#include <complex>
 #include <optional>
 #include <span>
 

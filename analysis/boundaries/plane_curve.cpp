@@ -2,6 +2,7 @@
 
 #include "analysis/special_values.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 

@@ -3,6 +3,8 @@
 
 #include "analysis/curves/walk.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 

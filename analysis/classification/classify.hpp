@@ -11,6 +11,8 @@
 #include "analysis/special_values.hpp"
 
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

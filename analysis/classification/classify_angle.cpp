@@ -1,5 +1,8 @@
 #include "analysis/classification/classify_angle.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 

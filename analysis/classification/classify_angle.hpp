@@ -20,6 +20,8 @@
 #include "analysis/classification/angle_spectrum.hpp"
 #include "analysis/classification/classify_series.hpp"
 
+#include <span>
+
 namespace swirl::analysis {
 
 /// The verdict; its mean is the slope. `options.noise` is the angle's. @throws as spectrum_of_angle

@@ -4,8 +4,10 @@
 #include "analysis/classification/settled.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace swirl::analysis {
 

@@ -3,6 +3,9 @@
 
 #include "analysis/curves/curve.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace swirl::analysis {
 
 /// Searches behind the border on which `last`, the last cycle with its itinerary, lies to rounding. F is continuous

@@ -4,6 +4,7 @@
 #include "analysis/cycles/family.hpp"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace swirl::analysis {

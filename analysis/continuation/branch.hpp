@@ -6,6 +6,8 @@
 #include "analysis/cycles/cycle.hpp"
 
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -3,6 +3,7 @@
 
 #include "analysis/continuation/branch.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <cstddef>
 
 namespace swirl::analysis {
 

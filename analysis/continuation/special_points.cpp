@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace swirl::analysis {
 

@@ -3,6 +3,8 @@
 
 #include "analysis/continuation/continue_branch.hpp"
 
+#include <vector>
+
 namespace swirl::analysis {
 
 /// The special points between a base and the point that a step of length h led to, in order, their normal forms

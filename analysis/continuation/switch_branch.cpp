@@ -4,6 +4,8 @@
 #include "analysis/linear_algebra/dense.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace swirl::analysis {

@@ -3,6 +3,8 @@
 
 #include "analysis/continuation/continue_branch.hpp"
 
+#include <functional>
+
 namespace swirl::analysis {
 
 /// The doubled cycle at a flip, or the crossing branch at a branch point, followed within the range.

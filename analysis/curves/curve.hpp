@@ -3,6 +3,9 @@
 
 #include "analysis/curves/newton.hpp"
 
+#include <cstdint>
+#include <functional>
+
 namespace swirl::analysis {
 
 /// How the zero of a function along a step is found, by TOMS 748 (Alefeld, Potra, Shi 1995).

@@ -3,6 +3,7 @@
 
 #include "analysis/curves/shooting_residual.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace swirl::analysis {

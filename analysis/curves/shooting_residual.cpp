@@ -3,6 +3,7 @@
 #include "analysis/curves/newton.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 

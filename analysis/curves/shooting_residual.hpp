@@ -3,6 +3,9 @@
 
 #include "analysis/curves/shooting_map.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace swirl::analysis {

@@ -5,6 +5,9 @@
 #include "analysis/curves/curve.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>

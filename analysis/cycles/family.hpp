@@ -4,6 +4,7 @@
 #include "analysis/curves/curve.hpp"
 #include "analysis/cycles/cycle.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 

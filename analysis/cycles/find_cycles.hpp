@@ -4,6 +4,7 @@
 #include "analysis/cycles/family.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>

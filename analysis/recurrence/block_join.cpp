@@ -1,5 +1,7 @@
 #include "analysis/recurrence/block_join.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace swirl::analysis::recurrence::detail {

@@ -3,6 +3,7 @@
 
 #include "analysis/recurrence/line_kernels.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>

@@ -1,6 +1,9 @@
 #include "analysis/recurrence/column_finder.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace swirl::analysis::recurrence::detail {
 namespace {

@@ -5,6 +5,8 @@
 #include "analysis/recurrence/line_counter.hpp"
 #include "analysis/recurrence/tiled_columns.hpp"
 
+#include <span>
+
 namespace swirl::analysis::recurrence::detail {
 
 /// One of the two, prepared; `bounds` and the points must outlive it.

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 

@@ -8,8 +8,13 @@
 #include <tbb/task_arena.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace swirl::analysis::recurrence::detail {
 namespace {

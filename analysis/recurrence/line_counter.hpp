@@ -8,7 +8,11 @@
 
 #include "analysis/recurrence/lines.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace swirl::analysis::recurrence::detail {
 

@@ -8,6 +8,7 @@
 #include <tbb/parallel_reduce.h>
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <functional>
 #include <limits>
 

@@ -3,6 +3,7 @@
 
 #include "analysis/recurrence/metric.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

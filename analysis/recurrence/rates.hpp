@@ -4,6 +4,7 @@
 #include "analysis/recurrence/metric.hpp"
 #include "analysis/recurrence/settings.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace swirl::analysis::recurrence::detail {
 namespace {

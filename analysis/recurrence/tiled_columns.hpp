@@ -7,6 +7,7 @@
 #include "analysis/recurrence/metric.hpp"
 #include "analysis/recurrence/tile_kernels.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

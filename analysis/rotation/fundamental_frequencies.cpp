@@ -9,8 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <numeric>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace swirl::analysis {
 

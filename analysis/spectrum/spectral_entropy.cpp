@@ -3,6 +3,7 @@
 #include "analysis/special_values.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace swirl::analysis {
 

@@ -1,5 +1,8 @@
 #include "apps/animate/animate_command.hpp"
 
+#include <string>
+#include <vector>
+
 namespace swirl::apps::animate {
 
 namespace {

@@ -3,6 +3,8 @@
 
 #include "apps/scripts/script_command.hpp"
 
+#include <string>
+
 namespace swirl::apps::animate {
 
 struct AnimateOptions {

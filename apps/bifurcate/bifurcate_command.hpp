@@ -8,6 +8,7 @@
 #include "apps/studies/diagrams/column_shares.hpp"
 #include "apps/studies/diagrams/diagram.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

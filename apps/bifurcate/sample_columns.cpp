@@ -3,10 +3,13 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/ranks/packed.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace swirl::apps::bifurcate {
 

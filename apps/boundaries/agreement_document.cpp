@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 namespace swirl::apps::boundaries {
 
 void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agreement) {

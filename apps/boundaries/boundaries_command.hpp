@@ -6,6 +6,8 @@
 #include "apps/studies/bifurcation_curves/against.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace swirl::apps::boundaries {
 

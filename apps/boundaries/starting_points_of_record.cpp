@@ -11,6 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace swirl::apps::boundaries {
 

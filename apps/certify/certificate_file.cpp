@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 

@@ -3,6 +3,7 @@
 
 #include "map/proof_check/stated_cycle.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

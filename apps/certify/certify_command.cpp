@@ -21,8 +21,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 namespace swirl::apps::certify {

@@ -15,7 +15,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <optional>
+#include <vector>
 
 namespace swirl::apps::classify {
 

@@ -8,6 +8,7 @@
 #include "apps/command_line/start_options.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace swirl::apps::classify {

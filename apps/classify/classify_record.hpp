@@ -6,6 +6,7 @@
 #include "apps/input/orbit_columns.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 

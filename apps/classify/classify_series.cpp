@@ -19,7 +19,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace swirl::apps::classify {
 

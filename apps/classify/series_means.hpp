@@ -6,6 +6,7 @@
 #include "apps/input/measured_series.hpp"
 #include "apps/studies/modes/means.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace swirl::apps::classify {

@@ -4,6 +4,7 @@
 #include "apps/command_line/progress.hpp"
 
 #include <memory>
+#include <string>
 
 namespace swirl::apps {
 

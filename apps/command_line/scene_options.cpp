@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 // toml++ asserts, or lets the optimiser assume, what text may break ("[%" under 3.3) before it says what is wrong with
 // it: here it comes to say so, in every build.

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace swirl::apps::describe {
 
 const char* const describe_details =

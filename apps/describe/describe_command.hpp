@@ -8,6 +8,7 @@
 #include "map/steady/scene_facts.hpp"
 #include "map/steady/steady_modes.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -8,8 +8,13 @@
 #include <fmt/format.h>
 
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace swirl::apps::describe {
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace swirl::apps::fit {
 

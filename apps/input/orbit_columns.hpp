@@ -6,6 +6,7 @@
 #include "apps/output/units.hpp"
 #include "map/orbit/trajectory_segment.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -8,7 +8,11 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace swirl::apps::lyapunov {
 

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace swirl::apps::manual {
 

@@ -7,7 +7,9 @@
 #include "apps/studies/modes/means.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace swirl::apps {
 
 namespace {

@@ -1,5 +1,7 @@
 #include "apps/modes/steady_share_table.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace swirl::apps {

@@ -5,6 +5,7 @@
 #include "apps/output/table.hpp"
 #include "apps/studies/modes/attractors.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>

@@ -5,7 +5,9 @@
 #include "apps/modes/verdict_in_words.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace swirl::apps {
 

@@ -6,7 +6,10 @@
 #include "apps/studies/cycles/family_members.hpp"
 #include "apps/studies/cycles/find_orbits.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace swirl::apps::orbits {
 

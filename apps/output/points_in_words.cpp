@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 namespace swirl::apps {
 
 std::string point_heading(std::size_t coordinates, const std::optional<Units>& units) {

@@ -3,6 +3,7 @@
 
 #include "apps/output/units.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -4,8 +4,13 @@
 #include "apps/output/value.hpp"
 
 #include <concepts>
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace swirl::apps {
 

@@ -4,6 +4,8 @@
 #include "apps/json/json_writer.hpp"
 #include "apps/record/record_writer.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 #include "apps/output/wrapped.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 namespace swirl::apps {

@@ -1,6 +1,7 @@
 // Text for people in lines of at most 100 columns.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace swirl::apps {

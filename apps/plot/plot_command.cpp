@@ -1,5 +1,8 @@
 #include "apps/plot/plot_command.hpp"
 
+#include <string>
+#include <vector>
+
 namespace swirl::apps::plot {
 
 namespace {

@@ -3,6 +3,8 @@
 
 #include "apps/scripts/script_command.hpp"
 
+#include <string>
+
 namespace swirl::apps::plot {
 
 struct PlotOptions {

@@ -6,7 +6,11 @@
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
 
+#include <cstddef>
 #include <list>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace swirl::apps {
 

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <system_error>
+#include <variant>
 
 #include "apps/record/record_error.hpp"
 

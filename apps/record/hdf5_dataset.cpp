@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <variant>
 
 #include "apps/record/hdf5_attributes.hpp"
 #include "apps/record/record_error.hpp"

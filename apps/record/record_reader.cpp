@@ -20,6 +20,8 @@
 #include <exception>
 #include <sstream>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 
 namespace swirl::apps {
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "apps/record/hdf5_attributes.hpp"
 #include "apps/record/record_checksum.hpp"

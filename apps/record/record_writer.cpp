@@ -2,6 +2,8 @@
 
 #include "apps/record/record_store.hpp"
 
+#include <utility>
+
 namespace swirl::apps {
 
 template <RecordElement T>

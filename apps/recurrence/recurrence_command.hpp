@@ -5,6 +5,7 @@
 #include "analysis/recurrence/settings.hpp"
 #include "apps/input/input_options.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 #include "analysis/recurrence/metric.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

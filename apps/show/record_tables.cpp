@@ -1,7 +1,9 @@
 #include "apps/show/record_tables.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 

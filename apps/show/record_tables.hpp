@@ -5,6 +5,7 @@
 #include "apps/record/record_reader.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

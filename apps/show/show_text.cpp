@@ -10,8 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace swirl::apps::show {
 

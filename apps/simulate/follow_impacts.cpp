@@ -3,8 +3,11 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <variant>
+#include <vector>
 
 namespace swirl::apps::simulate {
 

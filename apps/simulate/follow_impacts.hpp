@@ -3,6 +3,7 @@
 
 #include "apps/simulate/sinks.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace swirl::apps::simulate {

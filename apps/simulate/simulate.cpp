@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <optional>
+#include <variant>
 
 namespace swirl::apps::simulate {
 

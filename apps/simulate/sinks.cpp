@@ -6,6 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
 
 namespace swirl::apps::simulate {
 

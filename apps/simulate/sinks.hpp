@@ -6,6 +6,7 @@
 #include "apps/simulate/simulate.hpp"
 #include "apps/studies/scene_map/impact_row.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

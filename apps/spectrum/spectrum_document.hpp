@@ -4,6 +4,8 @@
 #include "analysis/spectrum/lines.hpp"
 #include "apps/spectrum/spectrum_signal.hpp"
 
+#include <vector>
+
 namespace swirl::apps::spectrum {
 
 struct SpectrumReport {

@@ -4,6 +4,7 @@
 #include "apps/spectrum/spectrum_command.hpp"
 
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "apps/command_line/scene_options.hpp"
 #include "apps/studies/grids/grid.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

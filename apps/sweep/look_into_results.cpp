@@ -4,6 +4,7 @@
 #include "apps/studies/basins/tracks.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace swirl::apps::sweep {

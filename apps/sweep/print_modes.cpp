@@ -11,10 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace swirl::apps::sweep {
 

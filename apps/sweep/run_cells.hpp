@@ -10,6 +10,7 @@
 #include "apps/sweep/sweep_command.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
+#include <variant>
 
 namespace swirl::apps::sweep {
 

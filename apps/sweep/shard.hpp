@@ -3,6 +3,7 @@
 
 #include "apps/sweep/sweep_command.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

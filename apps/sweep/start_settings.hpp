@@ -4,6 +4,7 @@
 #include "apps/command_line/start_options.hpp"
 #include "apps/sweep/grid_options.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>

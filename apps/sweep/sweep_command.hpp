@@ -12,7 +12,10 @@
 #include "apps/studies/modes/early_chaos.hpp"
 #include "apps/sweep/grid_options.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 

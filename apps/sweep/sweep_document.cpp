@@ -11,6 +11,11 @@
 #include "apps/sweep/sweep_command.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace swirl::apps::sweep {
 

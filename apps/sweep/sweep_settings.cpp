@@ -1,7 +1,10 @@
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
+#include <cstdint>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace swirl::apps::sweep {
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace swirl::apps::tour {

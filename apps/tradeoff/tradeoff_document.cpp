@@ -7,6 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 namespace swirl::apps::tradeoff {
 
 namespace {

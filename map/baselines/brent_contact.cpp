@@ -5,6 +5,7 @@
 #include <gsl/gsl_roots.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>

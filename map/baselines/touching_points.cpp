@@ -1,5 +1,7 @@
 #include "map/baselines/touching_points.hpp"
 
+#include <limits>
+
 namespace swirl::detail {
 
 std::optional<FirstContact<double>> decided_at_start(const Body<double>& body, const Flight<double>& flight) {

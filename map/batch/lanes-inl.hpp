@@ -127,6 +127,8 @@ HWY_INLINE T cube_root_of_epsilon() {
 #include "map/numbers/vec2_formulas.hpp"
 
 #include "map/numbers/turn_formulas.hpp"
+
+#include <cstdint>
 #undef SWIRL_INLINED
 
 using Plane = Vec2<Lane>;

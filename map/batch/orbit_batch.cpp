@@ -2,6 +2,8 @@
 
 #include "map/contact/chatter_completion.hpp"
 
+#include <cstdint>
+
 namespace swirl::detail {
 
 namespace {

@@ -10,6 +10,8 @@
 #include "map/contact/chatter_completion.hpp"
 #include "map/model/scene.hpp"
 
+#include <cstddef>
+
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 

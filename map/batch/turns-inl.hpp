@@ -10,6 +10,9 @@
 #include "map/batch/lanes-inl.hpp"
 #include "map/numbers/turn_table.hpp"
 
+#include <cstddef>
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 

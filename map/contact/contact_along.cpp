@@ -4,6 +4,7 @@
 #include "map/contact/contact_watch.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace swirl {
 

@@ -5,6 +5,8 @@
 #include "map/map_list.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace swirl {

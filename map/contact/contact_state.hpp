@@ -9,6 +9,8 @@
 #include "map/model/impact.hpp"
 #include "map/model/section.hpp"
 
+#include <string_view>
+
 namespace swirl {
 
 /// The part of the body in contact.

@@ -4,6 +4,9 @@
 #include "map/contact/contact_run.hpp"
 #include "map/contact/contact_series.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace swirl::contact_detail {
 
 /// A condition that holds along the motion, and the event when it no longer does.

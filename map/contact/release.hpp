@@ -5,6 +5,8 @@
 #include "map/first_contact/certain_polygon.hpp"
 #include "map/first_contact/certificate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace swirl {

@@ -7,6 +7,8 @@
 #include "map/derivative/linearised_collision.hpp"
 #include "map/numbers/jets.hpp"
 
+#include <cmath>
+
 namespace swirl {
 
 /// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace swirl {
 
 template <class T, Shape shape>

@@ -5,6 +5,10 @@
 #include "map/first_contact/certificate.hpp"
 #include "map/first_contact/circle_path.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace swirl {
 
 namespace detail {

@@ -5,6 +5,9 @@
 #include "map/first_contact/slow_bodies.hpp"
 #include "map/first_contact/vertices.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace swirl {
 
 namespace detail {

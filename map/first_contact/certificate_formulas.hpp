@@ -1,3 +1,6 @@
+
+#include <algorithm>
+#include <cmath>
 // Bounds along a flight and what they prove between two moments, for numbers and for lanes
 // (numbers/vec2_formulas.hpp says how).
 

@@ -15,6 +15,7 @@
 #include "map/numbers/turn_table.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace swirl::detail {

@@ -1,3 +1,5 @@
+
+#include <cmath>
 // The centre's gap along a flight as a function of time, its Taylor polynomial and the root of that, for numbers and
 // for lanes (numbers/vec2_formulas.hpp says how).
 

@@ -12,6 +12,9 @@
 
 #include "map/first_contact/vertices.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl::detail {
 
 /// A vertex that is on the wall at the start and does not approach it.

@@ -7,6 +7,9 @@
 #include "map/first_contact/vertex_proofs.hpp"
 #include "map/first_contact/vertices.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl {
 
 namespace detail {

@@ -17,6 +17,9 @@
 #include "map/first_contact/conservative_advancement.hpp"
 #include "map/first_contact/departure.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl::detail {
 
 /// The time for which G < 0 of one vertex; 0 if it is not negative now.

@@ -25,6 +25,10 @@ struct NearestTwo {
 
 #include "map/first_contact/vertices_formulas.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
 /// The number of the vertex nearest to the direction of X, or one next to it.
 template <class T>
 [[gnu::always_inline]] inline int vertex_towards(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference) {

@@ -1,3 +1,6 @@
+
+#include <algorithm>
+#include <cmath>
 // The vertices of a polygon near the wall, and proofs from them, for numbers and for lanes (numbers/vec2_formulas.hpp
 // says how).
 

@@ -3,6 +3,8 @@
 
 #include "map/intervals/krawczyk.hpp"
 
+#include <vector>
+
 namespace swirl::intervals {
 
 /// |z − (re + i im)| ≤ radius.

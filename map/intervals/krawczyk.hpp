@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>

@@ -21,6 +21,8 @@ struct SectionPoint {
 
 #include "map/model/section_formulas.hpp"
 
+#include <cmath>
+
 template <class T>
 inline PostImpactState<T> post_impact_state(const SectionPoint<T>& z) {
     return {cis(z.psi), cis(z.chi), z.vn, z.vt, z.spin};

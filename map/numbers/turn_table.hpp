@@ -4,7 +4,9 @@
 
 #include "map/numbers/turn.hpp"
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 

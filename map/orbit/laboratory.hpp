@@ -4,6 +4,10 @@
 #include "map/collision_map.hpp"
 #include "map/numbers/exact_sum.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
 namespace swirl {
 
 /// A start in the laboratory at t = 0, when the container's centre is at (β, 0).

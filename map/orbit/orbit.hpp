@@ -6,6 +6,8 @@
 #include "map/orbit/speed_limits.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace swirl {
 

@@ -3,6 +3,8 @@
 
 #include "map/model/section.hpp"
 
+#include <cmath>
+
 namespace swirl {
 
 /// True if β = 0 and the speed is below 10⁻⁷⁵, where its powers underflow: it decays geometrically, and the orbit ends

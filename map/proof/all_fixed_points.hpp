@@ -3,6 +3,7 @@
 
 #include "map/proof/claim.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

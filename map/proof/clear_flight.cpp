@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace swirl::proof {
 

@@ -4,6 +4,7 @@
 #include "map/intervals/dual.hpp"
 #include "map/intervals/krawczyk.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 

@@ -3,7 +3,13 @@
 #include "map/proof/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace swirl::proof {
 

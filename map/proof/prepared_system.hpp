@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace swirl::proof {
 
 struct PreparedSystem {

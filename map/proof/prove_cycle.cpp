@@ -6,6 +6,10 @@
 #include "map/proof/words.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace swirl::proof {
 

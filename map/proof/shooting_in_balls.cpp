@@ -1,5 +1,9 @@
 #include "map/proof/shooting_in_balls.hpp"
 
+#include <array>
+#include <cstddef>
+#include <utility>
+
 namespace swirl::proof {
 
 namespace {

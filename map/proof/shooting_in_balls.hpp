@@ -4,6 +4,9 @@
 #include "map/intervals/krawczyk.hpp"
 #include "map/proof/step_in_balls.hpp"
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace swirl::proof {

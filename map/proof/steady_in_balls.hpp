@@ -10,6 +10,8 @@
 
 #include "map/proof/step_in_balls.hpp"
 
+#include <cstddef>
+
 namespace swirl::proof {
 
 template <std::size_t D>

@@ -3,7 +3,9 @@
 #include "map/proof/prove_cycle.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 
+#include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace swirl {
 

@@ -3,8 +3,12 @@
 #include "map/proof_check/checked_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace swirl::proof_check {
 

@@ -2,6 +2,9 @@
 
 #include <cstdio>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace swirl::proof_check {
 

@@ -3,6 +3,8 @@
 
 #include "map/proof_check/impact_equations.hpp"
 
+#include <string>
+
 namespace swirl::proof_check {
 
 /// The balls of a point and of the flight that begins there.

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace swirl::proof_check {

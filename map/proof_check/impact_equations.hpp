@@ -4,6 +4,7 @@
 #include "map/proof_check/gradient.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 
+#include <string>
 #include <vector>
 
 namespace swirl::proof_check {

@@ -4,6 +4,9 @@
 #include "map/steady/flight_times.hpp"
 #include "map/steady/verified_mode.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace swirl {
 
 /// Fixed points z(τ) for every τ of an open interval: χ = 0, ψ = 0 or π, R = 1 − α ± β. At its ends another contact

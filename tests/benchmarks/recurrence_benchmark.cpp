@@ -8,11 +8,14 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
 #include <new>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace {
 

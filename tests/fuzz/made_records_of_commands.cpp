@@ -1,6 +1,11 @@
 // What the commands that read records find in them, as docs/command-line.md has it.
 #include "tests/fuzz/made_record.hpp"
 
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace swirl::tests::fuzz {
 
 namespace {

@@ -15,7 +15,13 @@
 #include "tests/fuzz/outcome.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace swirl::apps {
 namespace {

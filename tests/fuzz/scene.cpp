@@ -9,7 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <initializer_list>
+#include <optional>
+#include <vector>
 
 namespace swirl::apps {
 namespace {

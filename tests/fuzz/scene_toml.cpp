@@ -8,6 +8,9 @@
 #include "tests/fuzz/outcome.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace swirl::apps {
 namespace {

@@ -6,6 +6,7 @@
 #include "map/proof_check/stated_cycle.hpp"
 #include "tests/references/references.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

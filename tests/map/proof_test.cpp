@@ -6,10 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace swirl::tests {
 namespace {

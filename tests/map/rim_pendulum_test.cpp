@@ -10,7 +10,9 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/math/tools/roots.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 namespace swirl {

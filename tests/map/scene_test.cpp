@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace swirl {
 namespace {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <boost/math/tools/roots.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <vector>
 

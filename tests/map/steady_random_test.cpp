@@ -9,9 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <random>
+#include <type_traits>
+#include <vector>
 
 namespace swirl {
 namespace {

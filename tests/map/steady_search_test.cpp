@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
+#include <stdexcept>
+#include <vector>
 
 namespace swirl {
 namespace {

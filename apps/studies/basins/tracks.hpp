@@ -6,6 +6,7 @@
 #include "apps/studies/grids/starts.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace swirl::studies::bifurcation_curves {
 

@@ -4,6 +4,12 @@
 #include "analysis/section_map.hpp"
 #include "apps/studies/bifurcation_curves/curves.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace swirl::studies::bifurcation_curves {
 
 /// The runs of a sweep over the plane's two parameters.

@@ -5,6 +5,11 @@
 #include "apps/studies/bifurcation_curves/border_cycle.hpp"
 #include "apps/studies/bifurcation_curves/curves.hpp"
 
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
 namespace swirl::studies::bifurcation_curves {
 
 /// Unknowns y = (Z, p₁, p₂, τ_1 … τ_k, and t* of grazing); equations: each impact leads to the next point, the vertex

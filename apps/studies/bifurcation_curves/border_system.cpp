@@ -4,6 +4,10 @@
 #include "analysis/within_period.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 namespace swirl::studies::bifurcation_curves {
 
 Eigen::MatrixXd word_matrix(const WordMap& map, const BorderCycle& cycle, double multiplier) {

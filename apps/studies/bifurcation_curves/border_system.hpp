@@ -4,6 +4,8 @@
 #include "apps/studies/bifurcation_curves/border_curve.hpp"
 #include "apps/studies/bifurcation_curves/border_cycle.hpp"
 
+#include <string>
+
 namespace swirl::studies::bifurcation_curves {
 
 // When a cycle that is given by its word has a multiplier 1 or −1, as a number that is regular on borders of the map.

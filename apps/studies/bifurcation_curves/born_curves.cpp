@@ -5,6 +5,12 @@
 #include "analysis/linear_algebra/dense.hpp"
 #include "apps/studies/bifurcation_curves/border_system.hpp"
 
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace swirl::studies::bifurcation_curves {
 
 namespace {

@@ -5,7 +5,9 @@
 #include "apps/studies/bifurcation_curves/border_cycle.hpp"
 #include "apps/studies/bifurcation_curves/plane.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace swirl::studies::bifurcation_curves {
 

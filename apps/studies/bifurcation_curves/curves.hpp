@@ -3,9 +3,13 @@
 
 #include "apps/studies/bifurcation_curves/starting_points.hpp"
 
+#include <complex>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace swirl::studies::bifurcation_curves {
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 
 namespace swirl::studies::bifurcation_curves {
 

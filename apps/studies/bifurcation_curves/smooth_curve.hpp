@@ -5,6 +5,7 @@
 #include "apps/studies/bifurcation_curves/curves.hpp"
 
 #include <optional>
+#include <string>
 
 namespace swirl::studies::bifurcation_curves {
 

@@ -5,9 +5,11 @@
 #include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace swirl::studies {

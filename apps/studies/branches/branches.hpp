@@ -7,8 +7,11 @@
 #include "apps/studies/scene_map/accuracy.hpp"
 #include "apps/studies/scene_map/parameter_range.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace swirl::studies {

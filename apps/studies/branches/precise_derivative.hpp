@@ -5,6 +5,9 @@
 #include "map/numbers/quad.hpp"
 #include "map/numbers/real.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace swirl::studies {
 
 using PreciseVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;

@@ -1,6 +1,8 @@
 #include "apps/studies/branches/precise_derivative.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <cstddef>
+
 namespace swirl::studies {
 
 template bool precise_derivative(const CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>&, PreciseVector,

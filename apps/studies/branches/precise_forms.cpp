@@ -3,6 +3,8 @@
 #include "map/derivative/parameter.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <cstddef>
+
 namespace swirl::studies {
 
 analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,

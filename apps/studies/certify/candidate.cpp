@@ -4,8 +4,11 @@
 #include "apps/studies/scene_map/shooting_map.hpp"
 #include "apps/studies/scene_map/word_map.hpp"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace swirl::studies::certify {
 

@@ -6,6 +6,7 @@
 #include "map/proof/all_fixed_points.hpp"
 #include "map/proof/prove_cycle.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

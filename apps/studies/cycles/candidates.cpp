@@ -6,6 +6,7 @@
 #include "map/steady/scene_facts.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace swirl::studies::cycles {
 

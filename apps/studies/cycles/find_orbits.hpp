@@ -9,6 +9,7 @@
 #include "apps/studies/scene_map/accuracy.hpp"
 #include "map/steady/steady_modes.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>

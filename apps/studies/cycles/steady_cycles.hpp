@@ -6,6 +6,7 @@
 #include "apps/studies/scene_map/accuracy.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace swirl::studies::cycles {
 

@@ -5,6 +5,8 @@
 #include "apps/studies/scene_map/chatter_once.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>

@@ -4,6 +4,7 @@
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 
+#include <cstddef>
 #include <limits>
 #include <numeric>
 

@@ -4,6 +4,7 @@
 #include "map/model/scene.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace swirl::studies {

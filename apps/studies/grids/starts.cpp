@@ -3,6 +3,8 @@
 #include "map/derivative/parameter.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace swirl::studies::grids {
 

@@ -7,6 +7,7 @@
 #include "apps/studies/scene_map/start.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

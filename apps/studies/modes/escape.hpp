@@ -6,6 +6,7 @@
 #include "apps/studies/modes/name_mode.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <iterator>
+#include <vector>
+
 namespace swirl::studies {
 
 SettledCycle settled_cycle(const Scene<double>& scene, const Start<double>& start, Accuracy accuracy,

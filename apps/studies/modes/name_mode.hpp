@@ -8,6 +8,7 @@
 #include "apps/studies/scene_map/start.hpp"
 #include "map/orbit/outcome.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>

@@ -1,7 +1,11 @@
 #include "apps/studies/modes/naming.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace swirl::studies {
 

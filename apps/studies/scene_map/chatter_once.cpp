@@ -1,5 +1,6 @@
 #include "apps/studies/scene_map/chatter_once.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace swirl::studies {

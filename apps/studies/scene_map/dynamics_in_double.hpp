@@ -7,6 +7,10 @@
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/orbit/return_derivative.hpp"
 
+#include <cstdint>
+#include <memory>
+#include <span>
+
 namespace swirl::studies {
 
 /// Follows a map; what repeats itself to the bit (ExactReturn) is not followed again.

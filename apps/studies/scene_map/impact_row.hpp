@@ -3,6 +3,7 @@
 
 #include "apps/studies/scene_map/scene_orbit.hpp"
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 

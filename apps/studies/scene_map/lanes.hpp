@@ -5,6 +5,7 @@
 #include "map/derivative/linearised_collision.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -4,8 +4,11 @@
 #include "apps/studies/scene_map/scene_orbit.hpp"
 #include "map/baselines/baseline_map.hpp"
 
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
+#include <variant>
 
 namespace swirl::studies {
 

@@ -2,6 +2,8 @@
 
 #include "map/orbit/orbit.hpp"
 
+#include <variant>
+
 namespace swirl::studies {
 
 namespace {

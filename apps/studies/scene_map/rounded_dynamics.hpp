@@ -9,6 +9,8 @@
 #include "map/baselines/baseline_map.hpp"
 #include "map/derivative/parameter.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <utility>
 

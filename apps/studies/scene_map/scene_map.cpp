@@ -5,7 +5,9 @@
 #include "map/baselines/baseline_map.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>

@@ -11,7 +11,9 @@
 #include "map/orbit/return_map.hpp"
 #include "map/orbit/speed_limits.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace swirl::studies {

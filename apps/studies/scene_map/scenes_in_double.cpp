@@ -1,6 +1,8 @@
 #include "apps/studies/scene_map/dynamics_in_double.hpp"
 #include "apps/studies/scene_map/orbit_by_map.hpp"
 
+#include <memory>
+
 namespace swirl::studies {
 
 template class SceneOrbit<double>;

@@ -6,6 +6,7 @@
 #include "map/derivative/timed_collision.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace swirl::studies {
 

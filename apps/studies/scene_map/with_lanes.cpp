@@ -3,6 +3,8 @@
 #include "map/batch/orbit_batch.hpp"
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 namespace swirl::studies {
 

@@ -1,5 +1,7 @@
 #include "apps/studies/scene_map/lanes.hpp"
 
+#include <span>
+
 namespace swirl::studies {
 
 bool has_lanes() {

@@ -3,6 +3,7 @@
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "map/derivative/word_collision.hpp"
 
+#include <type_traits>
 #include <utility>
 
 namespace swirl::studies {

@@ -2,6 +2,9 @@
 #include "map/numbers/quad.hpp"
 
 #include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace swirl::studies::tradeoff {
 

@@ -6,6 +6,7 @@
 #include "apps/studies/tradeoff/arithmetic_in.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <cstdint>
 #include <numeric>
 
 namespace swirl::studies::tradeoff {

@@ -6,6 +6,7 @@
 #include "apps/studies/tradeoff/timing.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace swirl::studies::tradeoff {

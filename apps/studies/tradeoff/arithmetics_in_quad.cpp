@@ -1,6 +1,8 @@
 #include "apps/studies/tradeoff/arithmetic_in.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <string_view>
+
 namespace swirl::studies::tradeoff {
 
 template Arithmetic arithmetic<InNumbers<Quad>>(std::string_view, std::string_view, bool);

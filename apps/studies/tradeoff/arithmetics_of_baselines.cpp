@@ -1,5 +1,7 @@
 #include "apps/studies/tradeoff/arithmetic_in.hpp"
 
+#include <string_view>
+
 namespace swirl::studies::tradeoff {
 
 template Arithmetic arithmetic<WithSearch<BaselineSearch::paper>>(std::string_view, std::string_view, bool);

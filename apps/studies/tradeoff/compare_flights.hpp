@@ -7,7 +7,9 @@
 #include "apps/studies/tradeoff/drawn_flights.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace swirl::studies::tradeoff {

@@ -5,6 +5,7 @@
 #include "apps/studies/scene_map/start.hpp"
 #include "apps/studies/tradeoff/timing.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

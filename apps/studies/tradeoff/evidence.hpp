@@ -8,6 +8,7 @@
 #include "apps/studies/tradeoff/drawn_flights.hpp"
 #include "apps/studies/tradeoff/timing.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -3,6 +3,8 @@
 #include "apps/studies/parallel/pieces.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 

@@ -6,6 +6,7 @@
 #include "apps/studies/tradeoff/evidence.hpp"
 #include "apps/studies/tradeoff/models.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+#include <initializer_list>
+
 namespace swirl::analysis {
 namespace {
 

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 namespace swirl::analysis {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace swirl::analysis::planes {

@@ -11,7 +11,9 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace swirl::analysis {
 namespace {

@@ -10,10 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <map>
 #include <random>
+#include <span>
 #include <tuple>
+#include <vector>
 
 namespace {
 

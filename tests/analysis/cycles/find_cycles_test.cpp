@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace swirl::analysis {
 namespace {

@@ -6,8 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace swirl::analysis {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace swirl::analysis {

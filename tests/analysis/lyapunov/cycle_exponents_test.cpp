@@ -8,7 +8,10 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 

@@ -12,8 +12,12 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <complex>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 

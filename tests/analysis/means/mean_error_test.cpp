@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace {

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

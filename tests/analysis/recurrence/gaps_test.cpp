@@ -6,9 +6,16 @@
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

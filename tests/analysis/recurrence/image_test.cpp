@@ -3,7 +3,10 @@
 #include "tests/analysis/recurrence/brute_force.hpp"
 
 #include <gtest/gtest.h>
+#include <cstddef>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

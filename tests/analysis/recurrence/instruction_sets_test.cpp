@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

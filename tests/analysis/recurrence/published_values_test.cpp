@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

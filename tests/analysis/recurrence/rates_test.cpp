@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

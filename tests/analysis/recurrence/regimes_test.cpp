@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

@@ -10,7 +10,12 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

@@ -5,8 +5,13 @@
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace swirl::analysis::recurrence {
 namespace {

@@ -7,7 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
 #include <random>
+#include <vector>
 
 namespace {
 

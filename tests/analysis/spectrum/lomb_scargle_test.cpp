@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace {
 

@@ -6,11 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace {
 

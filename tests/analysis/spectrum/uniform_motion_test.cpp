@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <complex>
 #include <stdexcept>
 
 namespace {

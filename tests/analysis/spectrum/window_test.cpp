@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 

@@ -7,9 +7,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "apps/record/output_file.hpp"
 #include "apps/record/record_checksum.hpp"

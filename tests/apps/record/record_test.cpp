@@ -3,7 +3,13 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "apps/record/record_reader.hpp"
 #include "apps/record/record_writer.hpp"

@@ -1,7 +1,11 @@
 #include "tests/apps/record/sample_record.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "apps/record/record_writer.hpp"
 

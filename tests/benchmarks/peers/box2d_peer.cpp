@@ -5,7 +5,11 @@
 #include <box2d/box2d.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace swirl::peers {

@@ -3,6 +3,7 @@
 
 #include "map/collision_map.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>

@@ -15,11 +15,14 @@
 #include "peer.hpp"
 #include "tests/map/random_scenes.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {

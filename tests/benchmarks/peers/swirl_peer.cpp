@@ -4,7 +4,15 @@
 #include "map/numbers/quad.hpp"
 #include "peer.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace swirl::peers {
 namespace {

@@ -2,6 +2,10 @@
 #include "map/orbit/laboratory.hpp"
 #include "tests/map/batch/together.hpp"
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace {
 
 using namespace swirl;

@@ -2,6 +2,7 @@
 #include "tests/map/batch/together.hpp"
 #include "tests/sample_count.hpp"
 
+#include <cstdint>
 #include <iostream>
 #include <set>
 #include <string>

@@ -1,5 +1,6 @@
 #include "tests/map/certainty/flight_in_balls.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace swirl::tests {

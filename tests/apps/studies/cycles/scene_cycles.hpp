@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace swirl::tests {

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <set>
+#include <vector>
 
 namespace swirl::studies::grids {
 namespace {

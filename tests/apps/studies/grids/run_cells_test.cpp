@@ -7,6 +7,9 @@
 
 #include <atomic>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
 #include <string>
 
 namespace swirl::studies::grids {

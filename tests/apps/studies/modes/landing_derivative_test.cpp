@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 namespace swirl::studies {

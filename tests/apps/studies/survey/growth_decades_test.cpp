@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <vector>
 
 namespace swirl::studies {

@@ -3,8 +3,10 @@
 #include "analysis/classification/classify.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace swirl::studies {
 

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace swirl::studies {

@@ -7,6 +7,9 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <thread>
 #include <vector>

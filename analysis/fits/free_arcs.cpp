@@ -142,7 +142,7 @@ std::vector<FreeArc> lines_of(const Track& track, const std::vector<std::size_t>
 }
 
 /// Sums of squares of lengths of some 1 are rounded to 10⁻¹⁶: no noise is below this.
-constexpr double rounding = 1e-7;
+constexpr double least_noise = 1e-7;
 
 /// How far frames lie off the line of their neighbours: a lower quantile, in σ.
 Vector3d first_noise(const Track& track) {
@@ -160,7 +160,7 @@ Vector3d first_noise(const Track& track) {
     Vector3d noise;
     for (std::size_t k = 0; k < 3; ++k) noise[static_cast<Eigen::Index>(k)] = quantile(off[k], share) / at_share;
     noise[0] = noise[1] = (noise[0] + noise[1]) / 2;
-    return noise.cwiseMax(rounding);
+    return noise.cwiseMax(least_noise);
 }
 
 /// From lines of many frames, which few parameters have bent to their noise.
@@ -175,7 +175,7 @@ Vector3d noise_on(const std::vector<FreeArc>& arcs, const Vector3d& otherwise) {
         constexpr double enough = 30;
         if (freedom < enough) continue;
         const double place = std::sqrt(squares / (2 * freedom));
-        return Vector3d(place, place, std::sqrt(angle_squares / freedom)).cwiseMax(rounding);
+        return Vector3d(place, place, std::sqrt(angle_squares / freedom)).cwiseMax(least_noise);
     }
     return otherwise;
 }
@@ -195,7 +195,7 @@ Eigen::Matrix3d noise_of_body(const Track& track, const std::vector<FreeArc>& ar
         }
     }
     if (freedom < enough) return otherwise.cwiseAbs2().asDiagonal();
-    return sum / freedom + rounding * rounding * Eigen::Matrix3d::Identity();
+    return sum / freedom + least_noise * least_noise * Eigen::Matrix3d::Identity();
 }
 
 /// One or two frames off a line that goes on behind them.

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace swirl::apps {
 
@@ -77,14 +78,25 @@ Program::Program(const std::string& description, const std::string& version, con
 
 Program::~Program() = default;
 
-Flags Program::new_command(const std::string& name, const std::string& does, const std::string& details,
-                           Action action) {
-    CLI::App* command = app_->add_subcommand(name, does);
-    command->group("Subcommands");
-    command->get_help_ptr()->group(options_heading);
-    command->footer(details);
-    commands_.emplace_back(command, std::move(action));
-    return Flags(*command);
+void Program::new_command(const std::string& name, const std::string& does, const std::string& details, Entry entry) {
+    entry.command = app_->add_subcommand(name, does);
+    entry.command->group("Subcommands");
+    entry.command->get_help_ptr()->group(options_heading);
+    entry.command->footer(details);
+    entries_.push_back(std::move(entry));
+}
+
+void Program::add_flags_for(const std::vector<std::string>& words) {
+    const auto named = [&words](const Entry& entry) {
+        return std::find(words.begin(), words.end(), entry.command->get_name()) != words.end();
+    };
+    const bool all = std::any_of(entries_.begin(), entries_.end(),
+                                 [&](const Entry& entry) { return entry.looks_at_all && named(entry); });
+    for (Entry& entry : entries_) {
+        if (!entry.add_flags || !(all || named(entry))) continue;
+        Flags flags(*entry.command);
+        std::exchange(entry.add_flags, nullptr)(flags);
+    }
 }
 
 namespace {
@@ -112,6 +124,7 @@ std::vector<std::string> without_help(const std::vector<std::string>& words) {
 Program::Action Program::called(int argc, char** argv) {
     const std::vector<std::string> words =
         without_help(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    add_flags_for(words);
     check_words(*app_, words);
     try {
         std::vector<const char*> arguments = {argc > 0 ? argv[0] : "swirl"};
@@ -139,8 +152,8 @@ Program::Action Program::called(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         throw BadInput(error.what());
     }
-    for (const auto& [command, action] : commands_)
-        if (command->parsed()) return action;
+    for (const Entry& entry : entries_)
+        if (entry.command->parsed()) return entry.action;
     throw BadInput("no command given; swirl --help lists them");
 }
 

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace swirl::apps {
@@ -16,7 +15,11 @@ namespace swirl::apps {
 /// was moved to. Empty where the system does not tell.
 std::filesystem::path folder_of_this_program();
 
-// The program: its commands, and the one that a command line calls. CLI11 stands behind it (see flags.hpp).
+/// Options that keep the program look at the flags of every command.
+template <class Options>
+concept KeepsProgram = requires(Options options) {
+    options.program;
+};
 
 class Program {
 public:
@@ -30,12 +33,14 @@ public:
     Program& operator=(const Program&) = delete;
 
     /// Adds command `name` whose options live in an `Options` with `void add_to(Flags&)`; `run(options)` gives the exit
-    /// code. `details` ends with a command line that runs, shown under --help.
+    /// code. `details` ends with a command line that runs, shown under --help. The options are added once a command
+    /// line names the command: those of all commands would be a tenth of what a short run takes.
     template <class Options, class Run>
     void add_command(const std::string& name, const std::string& does, const std::string& details, Run run) {
         const auto options = std::make_shared<Options>();
-        Flags flags = new_command(name, does, details, [options, run] { return run(*options); });
-        options->add_to(flags);
+        new_command(name, does, details,
+                    {nullptr, [options](Flags& flags) { options->add_to(flags); },
+                     [options, run] { return run(*options); }, KeepsProgram<Options>});
     }
 
     /// What the command line asks for, its flags read: a command, or to print --help or --version.
@@ -43,10 +48,18 @@ public:
     Action called(int argc, char** argv);
 
 private:
-    Flags new_command(const std::string& name, const std::string& does, const std::string& details, Action action);
+    struct Entry {
+        CLI::App* command;
+        std::function<void(Flags&)> add_flags;  ///< empty once they are there
+        Action action;
+        bool looks_at_all;  ///< at the flags of every command
+    };
+
+    void new_command(const std::string& name, const std::string& does, const std::string& details, Entry entry);
+    void add_flags_for(const std::vector<std::string>& words);
 
     std::unique_ptr<CLI::App> app_;
-    std::vector<std::pair<CLI::App*, Action>> commands_;
+    std::vector<Entry> entries_;
 };
 
 }  // namespace swirl::apps

@@ -194,8 +194,8 @@ SurrogateTest test_surrogates(std::span<const double> series) {
     auto x = series.size() > most_for_surrogates ? series.last(most_for_surrogates) : series;
     const std::size_t delay = std::min(decorrelation(x), x.size() / 16);
     x = with_fitting_ends(x);
-    using Kind = std::pair<const char*, std::function<std::vector<double>(std::uint64_t)>>;
-    std::vector<Kind> kinds{{"linear noise", [&](std::uint64_t draw) { return fourier_surrogate(x, draw); }}};
+    using KindOfNoise = std::pair<const char*, std::function<std::vector<double>(std::uint64_t)>>;
+    std::vector<KindOfNoise> kinds{{"linear noise", [&](std::uint64_t draw) { return fourier_surrogate(x, draw); }}};
     for (const std::size_t order : {1, 2})
         if (contexts_of(x, order).first.size() * often <= x.size())
             kinds.emplace_back("a Markov chain", [=](std::uint64_t draw) { return markov_surrogate(x, order, draw); });

@@ -19,8 +19,6 @@
 
 namespace swirl::apps {
 
-// Numbers as users write them, read in the precision in which they will be used.
-
 /// True of a number whose digits are not all 0 although the nearest double is: 1e-400, -2e-324.
 bool underflows(const std::string& text);
 

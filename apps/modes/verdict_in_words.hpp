@@ -25,8 +25,6 @@ std::string about(double mean);
 /// error)".
 std::string mean_in_words(double mean, const MeanErrors& errors);
 
-// A verdict in a few lines for people: what it is, how sure, and why.
-
 /// "mode quasi-steady (cycle), period 4"
 std::string mode_in_words(const analysis::Classification& verdict);
 

@@ -29,8 +29,6 @@ void write_run_columns(const RecordGroup& group, const std::vector<std::string>&
 /// Reads them from a group, in the same order; as many as the first of them has. @throws RecordError
 std::vector<RunResult> read_run_columns(const RecordReader& record, const std::string& group);
 
-// The runs of a sweep, on all threads, kept in a journal until the record is written.
-
 /// The journal of an unfinished record. What it holds goes to the results.
 class SweepJournal {
 public:

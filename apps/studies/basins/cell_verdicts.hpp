@@ -14,8 +14,6 @@
 
 namespace swirl::studies::grids {
 
-// What tells the cells of a grid apart, as one number a cell: where it changes a refined grid is halved.
-
 class CellVerdicts {
 public:
     explicit CellVerdicts(const std::vector<GridAxis>& grid);

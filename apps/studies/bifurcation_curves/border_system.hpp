@@ -25,8 +25,6 @@ BorderCycle with_impact(const WordMap& map, const BorderCycle& grazing, double e
 /// word_determinant() of the grazing cycle with its vanishing impact, as that vanishes.
 double grazing_determinant(const WordMap& map, const BorderCycle& grazing, double multiplier);
 
-// The equations of a cycle on a border of the map.
-
 /// Where the unknowns of a cycle of k points in D coordinates stand in y.
 struct BorderLayout {
     Eigen::Index dimension, period;

@@ -21,8 +21,6 @@ namespace swirl::studies::bifurcation_curves {
 /// Empty if no such cycle is found on either side.
 std::optional<BorderCycle> doubled_on_border(const WordMap& map, const Plane& plane, const BorderCycle& flip);
 
-// The curves that are born where a cycle on a border has a multiplier 1 or −1 or a pair on the unit circle.
-
 /// Special points of grazing curves of their own: a multiplier of the cycle with the impact that vanishes there.
 inline constexpr const char *fold_of_impact = "fold-vanishing-impact", *flip_of_impact = "flip-vanishing-impact";
 

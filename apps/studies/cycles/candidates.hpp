@@ -29,8 +29,6 @@ struct Draws {
     double between(std::size_t i, double low, double high) const { return low + (high - low) * u[i]; }
 };
 
-// Where to look for cycles of a scene.
-
 struct CandidateOptions {
     std::int64_t starts = 1500;      ///< random section points, of the first search
     std::int64_t trajectories = 16;  ///< orbits whose close returns are taken

@@ -1,4 +1,5 @@
-// The cycles of a scene, period by period, and what is known of those that were not found.
+// The cycles of a scene, period by period, and what is known of those that were not found: all fixed points of impacts
+// alone from their equations, the others from candidates.
 #pragma once
 
 #include "analysis/curves/shooting_map.hpp"
@@ -75,9 +76,6 @@ inline double mean_spin_per_impact(const analysis::Cycle& cycle) {
     for (const auto& z : cycle.points) sum += z[z.size() - 1];
     return sum / static_cast<double>(cycle.period());
 }
-
-// The cycles of a scene, period by period: all fixed points of impacts alone from their equations, the others from
-// candidates.
 
 inline constexpr double accepted = 1e-11;  ///< residual of a cycle; those found end near 10⁻¹⁵
 

@@ -22,8 +22,6 @@ struct CyclePlace {
     std::size_t number = 1;  ///< of the record's row, from 1
 };
 
-// A cycle by Newton's method from points near it.
-
 /// The cycle of that minimal period to which multi-shooting leads from the points of a place, or from the states that
 /// follow its first point where there are fewer; empty if it leads to none.
 ///   map  of the place's scene, along a parameter with the value p

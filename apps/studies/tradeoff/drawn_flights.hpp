@@ -28,8 +28,6 @@ struct OrbitStarts {
     }
 };
 
-// The flights on which arithmetics are compared: those of the scene's own orbits.
-
 /// What rounding is compared over, beside one step.
 inline constexpr int ten = 10;
 

@@ -38,8 +38,6 @@ inline constexpr double evidence_share = 0.45;
 inline constexpr double orbits_share = 0.7;
 inline constexpr double counted_share = 0.9;
 
-// Times per collision, of several ways to do the same, measured side by side.
-
 /// Work to be timed: about so many units of it, and the collisions that they were.
 using TimedWork = std::function<std::int64_t(std::size_t units)>;
 

@@ -27,7 +27,7 @@ namespace swirl::apps {
 
 namespace {
 
-constexpr auto action = "cannot read record";
+constexpr auto read_action = "cannot read record";
 
 [[noreturn]] void read_in_child(const std::function<void()>& read, rlim_t seconds) {
     // The parent's own handlers would clear up after the parent.
@@ -52,16 +52,16 @@ void try_reading(const std::filesystem::path& file, const std::function<void()>&
     const auto bytes = std::filesystem::file_size(file, unknown);
     const rlim_t seconds = 5 + (unknown ? 0 : bytes / 20'000'000);
     const pid_t child = ::fork();
-    if (child < 0) throw RecordError(action, file.string(), system_reason());
+    if (child < 0) throw RecordError(read_action, file.string(), system_reason());
     if (child == 0) read_in_child(read, seconds);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) throw RecordError(action, file.string(), system_reason());
+        if (errno != EINTR) throw RecordError(read_action, file.string(), system_reason());
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        throw RecordError(action, file.string(),
+        throw RecordError(read_action, file.string(),
                           fmt::format("it is damaged: the HDF5 library had not read it after {} s", seconds));
-    throw RecordError(action, file.string(), "it is damaged: the HDF5 library crashes on it");
+    throw RecordError(read_action, file.string(), "it is damaged: the HDF5 library crashes on it");
 }
 
 namespace {
@@ -77,11 +77,11 @@ struct RecordReader::OpenFile {
     explicit OpenFile(const std::string& path) : name(path), file(open_file(path)) {}
 
     [[nodiscard]] hdf5::Object open(const std::string& path) const {
-        const std::string action = fmt::format("cannot read '{}' of record", path);
+        const std::string read_action = fmt::format("cannot read '{}' of record", path);
         if (path.empty() || (path != "/" && H5Oexists_by_name(file.id(), path.c_str(), H5P_DEFAULT) <= 0)) {
-            throw RecordError(action, name, "there is nothing of that name");
+            throw RecordError(read_action, name, "there is nothing of that name");
         }
-        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), action, name));
+        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), read_action, name));
     }
 
     // Throws when `path` is not of the wanted kind.

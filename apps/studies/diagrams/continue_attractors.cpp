@@ -143,8 +143,11 @@ void continue_attractors(const DiagramSettings& settings, const RunControl& cont
         return [] {};
     });
     std::vector<Found> all = searches->found.take();
-    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.order < b.order; });
-    for (Found& found : all) {
+    std::vector<Found*> in_order;  // branches are large, and stay where they are
+    for (Found& found : all) in_order.push_back(&found);
+    std::sort(in_order.begin(), in_order.end(), [](const Found* a, const Found* b) { return a->order < b->order; });
+    for (Found* const next : in_order) {
+        Found& found = *next;
         add(found.agreement, diagram.agreement);
         if (found.branch) diagram.branches.push_back(std::move(*found.branch));
     }

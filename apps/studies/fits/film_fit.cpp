@@ -205,11 +205,11 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     };
     const analysis::WeighedImpacts merged = analysis::merged_impacts(impacts, all_once(used.size()), groups);
     film.fit = analysis::fit_impacts(merged.impacts, impact_laws(), settings);
-    const bool is_unpredicted =
-        settings.resamples > 0 && (film.fit.predicted < least_predicted || film.fit.scatter > most_scatter);
-    if (film.fit.outcome == analysis::ImpactFitOutcome::fitted && !is_unpredicted) return film;
-    film.outcome = FilmFitOutcome::no_law;
+    const bool is_fitted = film.fit.outcome == analysis::ImpactFitOutcome::fitted;
+    const bool is_unpredicted = settings.resamples > 0 && film.fit.predicted < least_predicted;
+    if (is_fitted && !is_unpredicted && !(film.fit.scatter > most_scatter)) return film;
     look_for_sustained_contact(film, frames, scene, origin);
+    if (!is_fitted || is_unpredicted || film.frames_off_wall < near_wall) film.outcome = FilmFitOutcome::no_law;
     return film;
 }
 

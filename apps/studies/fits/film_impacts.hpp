@@ -64,7 +64,7 @@ enum class FilmFitOutcome {
     few_kinks,     ///< fewer than `fewest_kinks`
     no_wall,       ///< kinks are scattered about no wall of this scene: `off_wall` beyond `most_off_wall`
     few_impacts,   ///< fewer than `analysis::fewest_impacts` can be used, also of a body that stays on the wall
-    no_law         ///< see `fit.outcome`, or the best law predicts less than `least_predicted`, or `most_scatter`
+    no_law         ///< see `fit.outcome`, or the best law predicts less than `least_predicted`, or see `most_scatter`
 };
 
 /// R_c: a scale, radius or swirl that is wrong leaves more.
@@ -104,8 +104,9 @@ inline constexpr std::size_t most_fitted_impacts = 200;
 /// Share of the held-out impacts. Where the law holds within the noise it was 0.39 to 1; kinks of contact that lasts,
 /// taken for impacts, follow no law, and the best one predicts none of them.
 inline constexpr double least_predicted = 0.2;
-/// Of the impacts about the law, in units of their noise. Of films of a disk with noise of 1 % of R_c that mostly stays
-/// on the wall it was 0.4 to 2.1 where e and μ were right, and more where kinks of that contact were among the impacts.
+/// Of the impacts of a body that stays on the wall later, about the law, in units of their noise. Of films of a disk
+/// with noise of 1 % of R_c that mostly stays on the wall it was 0.4 to 2.1 where e and μ were right, and more where
+/// kinks of that contact were among the impacts.
 inline constexpr double most_scatter = 2.5;
 
 /// Films with as much noise again that are fitted to see what it does to e and μ.

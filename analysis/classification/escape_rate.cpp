@@ -82,9 +82,10 @@ EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling
         return rate;
     }
     const double freedom = 2 * static_cast<double>(rate.left);
+    const double censored = rate.remaining > 0 ? freedom + 2 : freedom;  // time goes on after the last that left
     rate.rate = static_cast<double>(rate.left) / rate.steps;
     rate.least_rate = gsl_cdf_chisq_Pinv(one_sided, freedom) / (2 * rate.steps);
-    rate.most_rate = gsl_cdf_chisq_Qinv(one_sided, freedom) / (2 * rate.steps);
+    rate.most_rate = gsl_cdf_chisq_Qinv(one_sided, censored) / (2 * rate.steps);
     rate.half_life = std::log(2) / rate.rate;
     rate.late_share = late_share(settled, longest / 2);
     rate.others_will_leave = rate.left >= enough && rate.late_share >= improbable;

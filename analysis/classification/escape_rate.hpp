@@ -31,7 +31,7 @@ double most_rate(std::int64_t k, std::int64_t n, double confidence);
 //
 // A chaotic transient forgets how long it has lasted: the times at which orbits leave are exponential. With k orbits
 // that left and T all the time that was spent in chaos, by those and by the others (censored), the rate is k/T, its
-// interval χ²₂ₖ/(2T), and half of the orbits leave within ln 2/rate.
+// interval from χ²₂ₖ/(2T) to χ²₂ₖ₊₂/(2T) (χ²₂ₖ where none is left), and half of the orbits leave within ln 2/rate.
 // Sources: T. Tél, Y.-C. Lai, Phys. Rep. 460 (2008) 245 (escape from chaotic saddles); B. Epstein, M. Sobel, J. Amer.
 // Statist. Assoc. 48 (1953) 486 (censored exponential lives).
 

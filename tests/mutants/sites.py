@@ -12,7 +12,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-STRATA = ("numbers", "model", "first_contact", "collision_map.hpp", "derivative", "sustained", "orbit")
+STRATA = ("numbers", "model", "first_contact", "collision_map.hpp", "derivative", "contact", "orbit")
 
 # Spaces as clang-format leaves them: around a binary operator, never inside template brackets nor after a sign.
 _PAIRS = {

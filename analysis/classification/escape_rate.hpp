@@ -1,4 +1,4 @@
-// How often something happens that happened k times in n trials.
+// How often something happens that happened k times in n trials, and how fast orbits leave chaos.
 #pragma once
 
 #include "analysis/special_values.hpp"

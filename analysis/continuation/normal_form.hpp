@@ -1,4 +1,4 @@
-// Multipliers on a branch, and the functions whose zeros are its special points.
+// Multipliers on a branch, the functions whose zeros are its special points, and normal forms there.
 #pragma once
 
 #include "analysis/curves/curve.hpp"

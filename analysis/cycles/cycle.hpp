@@ -1,4 +1,4 @@
-// The minimal period of k points that F maps to each other.
+// Cycles: the minimal period of k points that F maps to each other, stability, and what is known of a cycle.
 #pragma once
 
 #include "analysis/curves/shooting_residual.hpp"

@@ -1,4 +1,4 @@
-// The null space of an equation's Jacobian, whatever the units of its rows and columns are.
+// k-cycles by multi-shooting, and the null space of an equation's Jacobian, whatever the units of its rows and columns.
 #pragma once
 
 #include "analysis/curves/shooting_residual.hpp"

@@ -1,4 +1,4 @@
-// How far a measured impact is from a law, errors before and after the impact counted alike.
+// e and μ of a law from many impacts: how far each is from it, the fit, and rivals that explain them nearly as well.
 #pragma once
 
 #include "analysis/fits/measured_impact.hpp"

@@ -1,4 +1,4 @@
-// Sums of several rates over consecutive blocks of equal length, for standard errors of orbits of any length.
+// What a Lyapunov computation returns, and the sums over blocks that its standard errors come from.
 #pragma once
 
 #include <Eigen/Core>

@@ -265,10 +265,10 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
 void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     std::map<std::string, std::int64_t> counts;
     std::vector<JudgedRun> judged;
-    for (const auto& column : diagram.columns)
-        for (const auto& attractor : column.attractors) {
+    for (std::size_t c = 0; c < diagram.columns.size(); ++c)
+        for (const auto& attractor : diagram.columns[c].attractors) {
             ++counts[std::string(name_of(attractor.mode))];
-            judged.push_back({attractor.kind, attractor.outcome, attractor.impacts});
+            judged.push_back({attractor.kind, attractor.outcome, attractor.impacts, c});
         }
     std::vector<ColumnShare> rows = shares_of(diagram);
     const std::size_t every = (diagram.columns.size() + 99) / 100;  // a hundred columns or fewer are listed

@@ -155,8 +155,10 @@ void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scen
     for (const std::size_t run : all) {
         if (!followed.done[run]) continue;
         const RunVerdict& result = followed.results[run];
+        const bool is_called = followed.at_look[run] != 0 && result.kind == analysis::Kind::chaotic;
+        if (is_called && !at_risk) continue;  // interrupted: what it was called on is not known any more
         found.runs.push_back(result);
-        found.called.push_back(followed.at_look[run] != 0 && result.kind == analysis::Kind::chaotic ? 1 : 0);
+        found.called.push_back(is_called ? 1 : 0);
         if (is_sampled[run]) found.sample.push_back(result);
     }
 }

@@ -42,16 +42,17 @@ void note_size(std::vector<std::string>& notes, const FilmReport& report) {
 }
 
 void note_drag(std::vector<std::string>& notes, const analysis::DragFit& drag) {
-    constexpr double surely = 5;  // standard errors
+    constexpr double surely = 1.959964;  // standard errors: 95 %
     if (std::isnan(drag.value))
         notes.push_back(
             fmt::format("the floor's drag can't be told: {} arcs between two impacts are long enough and "
                         "clear of the wall, {} are needed",
                         drag.parts, analysis::fewest_parts));
     else if (drag.value > surely * drag.error)
-        notes.push_back(
-            fmt::format("the body slows between impacts (a floor that drags): e and mu are those of "
-                        "straight arcs"));
+        notes.push_back(fmt::format(
+            "the body slows between impacts, as on a floor that drags and moves with the dish: e and mu are "
+            "those of straight arcs, and are off by some {:.1g} of themselves for each unit of a flight's time",
+            drag.value));
     else if (drag.value < -surely * drag.error)
         notes.push_back(
             fmt::format("the body speeds up between impacts, which no floor's drag does: --beta, --scale "

@@ -36,9 +36,7 @@ std::string list_of(const DelimitedFile& file) {
 std::vector<TextRow> lines_of(std::string_view content) {
     const char end = content.find('\n') == std::string::npos ? '\r' : '\n';
     std::vector<TextRow> lines;
-    const std::string_view sample = content.substr(0, std::size_t{1} << 16);
-    const auto of_sample = static_cast<std::size_t>(std::count(sample.begin(), sample.end(), end)) + 1;
-    lines.reserve(of_sample * (content.size() / std::max<std::size_t>(sample.size(), 1) + 1));
+    lines.reserve(static_cast<std::size_t>(std::count(content.begin(), content.end(), end)) + 1);
     std::size_t begin = content.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (std::size_t line = 1; begin < content.size(); ++line) {
         const std::size_t stop = std::min(content.find(end, begin), content.size());

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <vector>
 
 namespace swirl::apps {
@@ -63,18 +65,22 @@ std::string in_words(const analysis::EscapeRate& escape, std::int64_t settling) 
 }
 
 std::string chaos_in_words(std::span<const JudgedRun> runs) {
-    std::vector<analysis::ChaoticStay> stays;
     std::int64_t longest = 0;
+    std::set<std::size_t> chaotic;  // cells
     for (const JudgedRun& run : runs) {
-        stays.push_back(stay_as_judged(run.kind, run.outcome, run.impacts));
-        if (run.kind == analysis::Kind::chaotic) longest = std::max(longest, run.impacts);
+        if (run.kind != analysis::Kind::chaotic) continue;
+        longest = std::max(longest, run.impacts);
+        chaotic.insert(run.cell);
     }
     if (longest == 0) return "";
+    std::vector<analysis::ChaoticStay> stays;  // a slow cycle of a cell without chaos has left none
+    for (const JudgedRun& run : runs)
+        if (chaotic.contains(run.cell)) stays.push_back(stay_as_judged(run.kind, run.outcome, run.impacts));
     const analysis::EscapeRate escape = analysis::escape_rate(stays, chaos_begins);
     std::string text =
         fmt::format("chaos was followed for {} impacts a run, at most: too few to say how long it lasts", longest);
     if (escape.remaining > 0) {
-        text = seen_in_words(escape, chaos_begins) + ", on the mean of all runs";
+        text = seen_in_words(escape, chaos_begins) + ", on the mean of all runs of cells with a chaotic one";
         if (escape.left > 0) text += ", and if what came late to a cycle, or to stay on the wall, was in chaos before";
         text += fmt::format("; a run is called chaotic for the {} impacts, at most, that it was followed", longest);
     }

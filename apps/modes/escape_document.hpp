@@ -4,6 +4,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/studies/modes/escape.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -23,10 +24,12 @@ struct JudgedRun {
     analysis::Kind kind;
     Outcome outcome;
     std::int64_t impacts;
+    std::size_t cell;  ///< of a grid, or column of a diagram: runs of one scene
 };
 
 /// What is known of the chaos of many scenes' runs from their verdicts alone, in lines for people: how many were in it,
-/// for how long, how many may have left it, and so how long it lasts. Empty where no run is chaotic.
+/// for how long, how many may have left it, and so how long it lasts. Only cells with a chaotic run count. Empty where
+/// no run is chaotic.
 std::string chaos_in_words(std::span<const JudgedRun> runs);
 
 }  // namespace swirl::apps

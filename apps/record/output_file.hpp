@@ -1,3 +1,4 @@
+// Files that are written: under another name until they are whole, and cleared away if they never are.
 #pragma once
 
 #include <cstddef>

@@ -77,11 +77,11 @@ struct RecordReader::OpenFile {
     explicit OpenFile(const std::string& path) : name(path), file(open_file(path)) {}
 
     [[nodiscard]] hdf5::Object open(const std::string& path) const {
-        const std::string read_action = fmt::format("cannot read '{}' of record", path);
+        const std::string action = fmt::format("cannot read '{}' of record", path);
         if (path.empty() || (path != "/" && H5Oexists_by_name(file.id(), path.c_str(), H5P_DEFAULT) <= 0)) {
-            throw RecordError(read_action, name, "there is nothing of that name");
+            throw RecordError(action, name, "there is nothing of that name");
         }
-        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), read_action, name));
+        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), action, name));
     }
 
     // Throws when `path` is not of the wanted kind.

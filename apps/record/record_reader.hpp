@@ -1,3 +1,4 @@
+// A record that is read, its checksum or a trial in a child process first.
 #pragma once
 
 #include "apps/record/record_error.hpp"

@@ -62,20 +62,21 @@ void print_sweep(const Sweep& sweep) {
     if ((!sweep.grid.front().sampled || is_of_scenes(sweep)) && !sweep.shard) print_modes(sweep);
     std::vector<RunResult> results;
     std::size_t cells = 0;
+    std::vector<JudgedRun> judged;
     for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) {
         if (!sweep.is_visited(c)) continue;
         ++cells;
-        for (const RunResult& run : sweep.cell(c)) results.push_back(run);
+        for (const RunResult& run : sweep.cell(c)) {
+            results.push_back(run);
+            judged.push_back({kind_of(run), static_cast<Outcome>(static_cast<int>(run.outcome)),
+                              static_cast<std::int64_t>(run.impacts), c});
+        }
     }
     std::string shares;
     const CellSummary whole = summary_of(results);
     for (std::size_t m = 0; m < mode_count; ++m)
         shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
     fmt::print("{} cells x {} runs: {}\n", cells, sweep.runs, shares);
-    std::vector<JudgedRun> judged;
-    for (const RunResult& run : results)
-        judged.push_back({kind_of(run), static_cast<Outcome>(static_cast<int>(run.outcome)),
-                          static_cast<std::int64_t>(run.impacts)});
     fmt::print("{}", chaos_in_words(judged));
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("the grid has {} cells; the others have their neighbours' verdicts\n", cell_count(sweep.grid));

@@ -10,8 +10,6 @@
 
 namespace swirl::studies {
 
-// Does an orbit run along a chord (map/chords/README.md)?
-
 /// What is asked of an orbit that is called one on a chord. None of these is critical: of 6,758 looks at orbits of
 /// 1,000 random scenes near a chord (`ChordThresholdsNightly`; 5,336 stayed on it for 200,000 impacts more) none was
 /// mistaken with 64 impacts or more and any factor from 1.25 to 10, two with 4 impacts and a factor of 5.
@@ -56,8 +54,6 @@ ForcedBend forced_bend(const Scene<double>& scene, const Chord& chord, double v)
 /// slips, ends contact, or goes on by another number of vertices than the chord's.
 double excess_over(const SceneMap<polygon_dimension>& map, const Scene<double>& scene, const Chord& chord,
                    const ForcedBend& forced, PostImpactState<double> z, int impacts = chord_impacts);
-
-// Is an orbit on a chord or a diameter (map/chords/README.md), and where does that lead it?
 
 /// Names what its tail's kind does not tell: `chord`, with the S* that it is led to, or `accelerated`. Of an orbit that
 /// has not settled on a cycle, e = 1, friction and swirl: its next impacts all stick, go on by the chord's j, and

@@ -15,7 +15,10 @@ namespace swirl::studies {
 
 namespace {
 
-constexpr double confidence = 0.95;
+// A sampled run is never called, and the others have the changed ones that the sample lacks: where no more than a
+// third of the runs is drawn, questions at 97.5 % keep 95 % for those that are called.
+constexpr double confidence = 0.975;
+constexpr std::size_t largest_part = 3;
 constexpr std::uint64_t stream_of_samples = 0x7269736b;  // "risk"
 
 void require_risk(double risk) {
@@ -24,7 +27,9 @@ void require_risk(double risk) {
 
 /// How many runs without another verdict among them tell that fewer than the risk have one.
 std::int64_t fewest_judged(double risk) {
-    return static_cast<std::int64_t>(std::floor(std::log(1 - confidence) / std::log1p(-risk))) + 1;
+    constexpr double more_than_runs = 1e15;
+    const double fewest = std::floor(std::log(1 - confidence) / std::log1p(-risk)) + 1;
+    return static_cast<std::int64_t>(std::min(fewest, more_than_runs));
 }
 
 /// A candidate of the sample.
@@ -160,13 +165,13 @@ std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::
     };
     if (question.risk == 0 || question.look == 0) return to_limits(own);
     const std::int64_t wanted = std::max(2 * fewest_judged(question.risk), evidence.runs / 16);
-    if (wanted >= evidence.runs) return to_limits(own);
+    if (wanted >= evidence.runs / static_cast<std::int64_t>(largest_part)) return to_limits(own);
     LookedAt looked(question, runs);
     const auto sample = draw(question, wanted, runs, looked);
     if (!sample) return std::nullopt;
     followed.sample = sample->drawn;
     evidence.followed = std::ssize(sample->judged);
-    ask(sample->judged, question.risk, evidence);
+    if (sample->drawn.size() <= question.runs / largest_part) ask(sample->judged, question.risk, evidence);
     if (!std::isnan(evidence.least_exponent)) evidence.impacts = question.look;
     if (!looked.look_at(own)) return std::nullopt;
     std::vector<std::size_t> left;

@@ -10,8 +10,10 @@
 // scene has no attracting steady mode, where that is asked), and its score is their mean exponent. Of a random sample
 // of all runs the candidates are followed to the limits, too. By falling score, for more and more of them, N in all, of
 // which k have another verdict at the limits, it is asked whether the share of such runs among all with that score or a
-// higher one is below the risk: whether Clopper and Pearson's upper bound p(k, N) is, at 95 %. The questions end with
-// the first that is not answered so (a fixed sequence of tests, which keeps the 95 % for all of them together); the
+// higher one is below the risk: whether Clopper and Pearson's upper bound p(k, N) is, at 97.5 %. That share has the
+// sample in it, whose changed runs are never called, so that those called have a larger one: where the sample is at
+// most a third of all, the 97.5 % keep 95 % for them. With a larger sample nothing is called. The questions end with
+// the first that is not answered so (a fixed sequence of tests, which keeps the chance for all of them together); the
 // least score before is that from which chaos is called. All other runs are followed to the limits.
 //
 // Nothing is assumed of the law by which orbits leave, nor that the score is a good one: a bad one calls fewer.
@@ -78,7 +80,7 @@ struct FollowedAtRisk {
 /// shorter. (Of a map of hexagons a later one costs more than it tells, an earlier one tells less of small risks.)
 std::int64_t early_look(const analysis::ClassifyOptions& limits);
 
-/// Follows runs at a risk; where the sample would be no smaller than all of them, to the limits. A pure function of the
+/// Follows runs at a risk; where the sample would be more than a third of them, to the limits. A pure function of the
 /// question and of what `follow` gives. None if that was stopped.
 ///   own  the runs that are wanted, whole cells: all or, of a part of the work, some of all that are asked about
 /// Cost: all runs to the look, a sample of 1/16 of all (of small maps up to 6/risk) to the limits, and what is not
@@ -87,7 +89,7 @@ std::int64_t early_look(const analysis::ClassifyOptions& limits);
 std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::span<const std::size_t> own,
                                              const RunsAtRisk& runs);
 
-/// True if the scene's equations have an attracting steady mode (steady_shares.hpp): chaos beside it may be a
+/// True if the scene's equations have an attracting steady mode (attractors.hpp): chaos beside it may be a
 /// transient.
 bool has_attracting_steady_mode(const Scene<double>& scene);
 

@@ -269,7 +269,7 @@ class Shown(Grids):
     def chaos_in(self, text):
         self.assertLessEqual(max(map(len, text.splitlines())), 100)
         seen = re.search(r"chaos: (?P<runs>\d+) runs were in it after 1000 impacts, for (?P<all>[\d.e+]+) more in all; (?P<left>\d+) of "
-                         r"these ha(s|ve) left: half-life (?P<half>[\d.e+]+) impacts \(95 %: .* to .*\), on the mean of all runs, and if "
+                         r"these ha(s|ve) left: half-life (?P<half>[\d.e+]+) impacts \(95 %: .* to .*\), on the mean of all runs of cells with a chaotic one, and if "
                          r"what came late .*; a run is called chaotic for the (?P<most>\d+) impacts", " ".join(text.split()))
         self.assertIsNotNone(seen, text)
         return seen

@@ -10,14 +10,14 @@ from driving import InFolder, document, run
 SCENE = "--sides 6 --mu 0.5 --restitution 0.95"
 LIMITS = "--transient 1000 --collisions 1000"
 PLANE = f"{SCENE} --grid alpha=0.1,0.12,0.15,0.18,0.6 --grid beta=0.4:0.6:3 --runs 8 {LIMITS}"
-SWEEP = f"sweep {PLANE} --risk 0.15"
+SWEEP = f"sweep {PLANE} --risk 0.3"
 DIAGRAM = f"bifurcate {SCENE} --beta 0.5 --along alpha=0.1:0.2:20 --starts 6 --transient 1000 --collisions 400"
 RUNS = f"classify {SCENE} --alpha 0.15 --beta 0.5 --runs 120 {LIMITS}"
 EARLY = 432  # impacts
 
 
 def bound(changed, judged):
-    """p at which `changed` or fewer of `judged` have a chance of 5 %, by bisection of the binomial sum."""
+    """p at which `changed` or fewer of `judged` have a chance of 2.5 %, by bisection of the binomial sum."""
     def chance(p):
         term, total = (1 - p) ** judged, 0.0
         for k in range(changed + 1):
@@ -27,7 +27,7 @@ def bound(changed, judged):
     low, high = 0.0, 1.0
     for _ in range(100):
         middle = (low + high) / 2
-        low, high = (middle, high) if chance(middle) > 0.05 else (low, middle)
+        low, high = (middle, high) if chance(middle) > 0.025 else (low, middle)
     return low
 
 
@@ -51,11 +51,11 @@ class Risk(InFolder):
 class Sweep(Risk):
     def test_what_is_not_called_early_is_as_without_a_risk(self):
         at_risk, limits = document(SWEEP), document(f"sweep {PLANE}")
-        self.assertEqual(at_risk["settings"]["risk"], 0.15)
+        self.assertEqual(at_risk["settings"]["risk"], 0.3)
         self.assertNotIn("risk", limits["settings"])
         self.assertNotIn("risk_evidence", limits)
         (evidence,) = at_risk["risk_evidence"]
-        self.check_evidence(evidence, 120, 0.15)
+        self.check_evidence(evidence, 120, 0.3)
         early = changed = 0
         for cell, of_limits in zip(at_risk["cells"], limits["cells"]):
             called = [run for run in cell["runs"] if run["mode"] == "chaotic" and run["impacts"] < EARLY + 3]
@@ -69,7 +69,7 @@ class Sweep(Risk):
                 else:
                     self.assertEqual(found, expected)
         self.assertGreater(early, 20)
-        self.assertLess(changed, 0.15 * early)
+        self.assertLess(changed, 0.3 * early)
 
     def test_the_bytes_depend_on_neither_threads_nor_shards(self):
         whole = self.bytes_of(f"{SWEEP} --threads 1", "one.h5")
@@ -87,7 +87,7 @@ class Sweep(Risk):
         path = self.folder / "a.h5"
         before = self.bytes_of(SWEEP, "a.h5")
         self.assertEqual(document(f"{SWEEP} -o {path} --quiet"), document(SWEEP))
-        for other, mention in ((SWEEP.replace("risk 0.15", "risk 0.2"), "here is risk = 0.2"),
+        for other, mention in ((SWEEP.replace("risk 0.3", "risk 0.4"), "here is risk = 0.4"),
                                (f"sweep {PLANE}", "no risk"), (SWEEP.replace("--runs 8", "--runs 9"), "runs = 8")):
             result = run(f"{other} -o {path}")
             self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1), result.stderr)
@@ -112,10 +112,10 @@ class Sweep(Risk):
 
 class Others(Risk):
     def test_diagrams(self):
-        command = f"{DIAGRAM} --risk 0.15"
+        command = f"{DIAGRAM} --risk 0.3"
         found = document(command)
-        self.assertEqual(found["settings"]["risk"], 0.15)
-        self.check_evidence(found["risk_evidence"][0], 120, 0.15)
+        self.assertEqual(found["settings"]["risk"], 0.3)
+        self.check_evidence(found["risk_evidence"][0], 120, 0.3)
         self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 2", "2.h5"))
         limits = document(DIAGRAM)
         early = 0
@@ -127,10 +127,10 @@ class Others(Risk):
         self.assertGreater(early, 20)
 
     def test_several_runs_of_one_scene(self):
-        command = f"{RUNS} --risk 0.15"
+        command = f"{RUNS} --risk 0.3"
         found = document(command)
-        self.assertEqual(found["settings"]["risk"], 0.15)
-        self.check_evidence(found["risk_evidence"][0], 120, 0.15)
+        self.assertEqual(found["settings"]["risk"], 0.3)
+        self.check_evidence(found["risk_evidence"][0], 120, 0.3)
         self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 2", "2.h5"))
         self.assertIn("chaos was called after", " ".join(run(command).stdout.split()))
 

@@ -76,6 +76,7 @@ std::size_t list_changes(const std::uint64_t* words, std::size_t first, std::siz
 std::size_t list_turns(const std::uint64_t* words, std::size_t count, std::uint32_t* turns) {
     const hn::ScalableTag<std::uint64_t> tag;
     const std::size_t lanes = hn::Lanes(tag);
+    const std::uint64_t* const before = words - 1;  // there is a word before the first
     std::uint32_t* out = turns;
     for (std::size_t begin = 0; begin < count; begin += 64) {
         const std::size_t end = std::min(begin + 64, count);
@@ -83,13 +84,13 @@ std::size_t list_turns(const std::uint64_t* words, std::size_t count, std::uint3
         std::size_t c = begin;
         for (; c + lanes <= end; c += lanes) {
             std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(tag, hn::Ne(hn::LoadU(tag, words + c), hn::LoadU(tag, words + c - 1)), bits);
+            hn::StoreMaskBits(tag, hn::Ne(hn::LoadU(tag, words + c), hn::LoadU(tag, before + c)), bits);
             turned |= std::uint64_t{bits[0]} << (c - begin);
         }
-        for (; c < end; ++c) turned |= std::uint64_t{words[c] != words[c - 1]} << (c - begin);
+        for (; c < end; ++c) turned |= std::uint64_t{words[c] != before[c]} << (c - begin);
         for (; turned != 0; turned &= turned - 1) {
             const std::size_t at = begin + static_cast<std::size_t>(std::countr_zero(turned));
-            out = list_bits(words[at] ^ words[at - 1], static_cast<std::uint32_t>(at * 64), out);
+            out = list_bits(words[at] ^ before[at], static_cast<std::uint32_t>(at * 64), out);
         }
     }
     return static_cast<std::size_t>(out - turns);

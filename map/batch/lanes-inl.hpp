@@ -13,6 +13,8 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -127,8 +129,6 @@ HWY_INLINE T cube_root_of_epsilon() {
 #include "map/numbers/vec2_formulas.hpp"
 
 #include "map/numbers/turn_formulas.hpp"
-
-#include <cstdint>
 #undef SWIRL_INLINED
 
 using Plane = Vec2<Lane>;

@@ -4,6 +4,10 @@
 #include "map/first_contact/bounds.hpp"
 #include "map/first_contact/circle_path.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
 namespace swirl {
 
 namespace detail {
@@ -24,10 +28,6 @@ struct NearestTwo {
 };
 
 #include "map/first_contact/vertices_formulas.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 /// The number of the vertex nearest to the direction of X, or one next to it.
 template <class T>

@@ -7,6 +7,8 @@
 #include "map/model/flight.hpp"
 #include "map/model/impact.hpp"
 
+#include <cmath>
+
 namespace swirl {
 
 /// A point of the section. The disk has χ = 0.
@@ -20,8 +22,6 @@ struct SectionPoint {
 };
 
 #include "map/model/section_formulas.hpp"
-
-#include <cmath>
 
 template <class T>
 inline PostImpactState<T> post_impact_state(const SectionPoint<T>& z) {

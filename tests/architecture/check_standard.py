@@ -108,7 +108,9 @@ def missing(name, texts):
 def with_headers(text, headers):
     """The text with so many standard headers more: in their block, or in one of their own after the last include."""
     lines = text.split("\n")
-    places = [i for i, line in enumerate(lines) if re.match(r"#include <\w+>$", line)]
+    # Texts that are read inside of a namespace are included below it: headers belong above.
+    top = next((i for i, line in enumerate(lines) if re.match(r"namespace |HWY_BEFORE_NAMESPACE", line)), len(lines))
+    places = [i for i, line in enumerate(lines[:top]) if re.match(r"#include <\w+>$", line)]
     if places:
         last = places[0]
         while re.match(r"#include <\w+>$", lines[last + 1]):
@@ -116,7 +118,7 @@ def with_headers(text, headers):
         block = {*lines[places[0]:last + 1], *(f"#include <{header}>" for header in headers)}
         lines[places[0]:last + 1] = sorted(block)
     else:
-        at = max((i for i, line in enumerate(lines) if re.match(r"#(include|pragma once)", line)), default=-1)
+        at = max((i for i, line in enumerate(lines[:top]) if re.match(r"#(include|pragma once)", line)), default=-1)
         lines[at + 1:at + 1] = ["", *(f"#include <{header}>" for header in sorted(headers))]
     return "\n".join(lines)
 

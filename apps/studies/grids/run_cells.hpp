@@ -76,7 +76,7 @@ CellSummary summary_of(std::span<const RunResult> runs);
 // The modes over a grid of scenes or of starts.
 //
 // In every cell R orbits are followed from starts of their own, and each has the verdict of `name_mode`. What a cell
-// says of its runs: shares by mode with Wilson's intervals, means of S with their errors (run_results.hpp). Results
+// says of its runs: shares by mode with Wilson's intervals, means of S with their errors. Results
 // depend neither on the number of threads nor on which runs are followed together.
 // Cost: of an orbit in double some 0.3 µs an impact, on each thread.
 

@@ -1,4 +1,4 @@
-// A record that is read, its checksum or a trial in a child process first.
+// A record that is read, its checksum or a trial in a child process (trial_reading.hpp) first.
 #pragma once
 
 #include "apps/record/record_error.hpp"
@@ -6,19 +6,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace swirl::apps {
-
-/// Runs `read` in a child process first: the HDF5 library may crash or hang on a file that is damaged, and then only
-/// the child does. Its time is limited to 5 s and 1 s for each 20 MB of the file; what it prints is lost. An exception
-/// of `read` is none of these: the same will be thrown where it matters, in the process itself.
-/// @throws RecordError if the child came to such an end, or there can be none
-void try_reading(const std::filesystem::path& file, const std::function<void()>& read);
 
 /// Is it an HDF5 file, with or without a user block? False for what is no plain file or can't be read.
 bool is_hdf5_file(const std::filesystem::path& file);

@@ -6,14 +6,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
+#include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "apps/record/output_file.hpp"
@@ -171,16 +174,17 @@ void write_noise(const std::filesystem::path& path) {
     writer.finish();
 }
 
-// Bytes of the files that this process has open and that have no name any more.
-std::uintmax_t bytes_without_a_name() {
-    std::uintmax_t bytes = 0;
+// The files of at least so many bytes that are open here and have no name any more, by device and inode. Some are
+// inherited, and others may write to those at any time: how their bytes grow tells nothing.
+std::set<std::pair<dev_t, ino_t>> files_without_a_name(off_t bytes) {
+    std::set<std::pair<dev_t, ino_t>> files;
     for (const auto& descriptor : std::filesystem::directory_iterator("/proc/self/fd")) {
         struct stat status {};
         const bool is_there = ::stat(descriptor.path().c_str(), &status) == 0;
-        if (is_there && S_ISREG(status.st_mode) && status.st_nlink == 0)
-            bytes += static_cast<std::uintmax_t>(status.st_size);
+        if (is_there && S_ISREG(status.st_mode) && status.st_nlink == 0 && status.st_size >= bytes)
+            files.emplace(status.st_dev, status.st_ino);
     }
-    return bytes;
+    return files;
 }
 
 // The limit on the size of a file stands for a full disk.
@@ -190,14 +194,16 @@ void write_beyond(rlim_t limit, const std::filesystem::path& path) {
     ::getrlimit(RLIMIT_FSIZE, &limits);
     const rlimit full{limit, limits.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &full);
-    const std::uintmax_t held_before = bytes_without_a_name();
+    const auto known = files_without_a_name(0);
     const std::string message = message_of<RecordError>([&] { write_noise(path); });
     ::setrlimit(RLIMIT_FSIZE, &limits);
     std::fputs(message.c_str(), stderr);
     // The library must be of use afterwards, and exit() must not trip over what is left of the file.
     const auto next = path.parent_path() / "next.h5";
     write_sample_record(next);
-    const bool good = message.find("File too large") != std::string::npos && bytes_without_a_name() <= held_before &&
+    const auto held = files_without_a_name(1);
+    const bool good = message.find("File too large") != std::string::npos &&
+                      std::includes(known.begin(), known.end(), held.begin(), held.end()) &&
                       RecordReader(next).read<double>("/impacts/t").size() == sample_rows;
     std::filesystem::remove(next);
 #ifdef SWIRL_SANITIZED

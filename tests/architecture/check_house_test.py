@@ -144,6 +144,14 @@ class Standard(unittest.TestCase):
         self.assertIn("\n#include <cmath>\n#include <string>\n#include <vector>\n", first)
         self.assertIn('"map/a.hpp"\n\n#include <string>\n\nstd::string g;\n', second)
 
+    def test_a_header_inside_of_a_namespace_is_refused(self):
+        text = "#pragma once\n\nnamespace swirl {\n\nnamespace {\n\n}  // namespace\n{}\n}  // namespace swirl\n{}"
+        inside = text.replace("{}", "#include <hwy/highway.h>", 1).replace("{}", "")
+        self.assertEqual(printed(check_standard.main, {"map/a.hpp": inside}),
+                         (1, "map/a.hpp:8: <hwy/highway.h> inside of a namespace\n"))
+        below = text.replace("{}", "", 1).replace("{}", "#include <hwy/highway.h>\n")
+        self.assertEqual(printed(check_standard.main, {"map/a.hpp": below})[0], 0)
+
     def test_nothing_to_look_through_is_no_success(self):
         self.assertEqual(printed(check_standard.main, {"docs/a.md": "std::vector\n"})[0], 2)
 

@@ -1,6 +1,7 @@
-"""Checks that every file includes the standard headers of the names that it uses: check_standard.py [--mend] ROOT
+"""Checks that every file includes the standard headers of the names that it uses, and none of them inside of a namespace:
+check_standard.py [--mend] ROOT
 
-Prints one line per file, `file: name (header), ...`, and exits 1 if there is any; 2 if ROOT holds no sources. What a source's own
+Prints one line per file, `file: name (header), ...`, or `file:line: header inside of a namespace`, and exits 1 if there is any; 2 if ROOT holds no sources. What a source's own
 header includes counts. What comes by way of another header is there in one release of a library and gone in the next.
 --mend adds the headers in place of printing them. Names outside of NAMES are not looked for."""
 
@@ -105,6 +106,19 @@ def missing(name, texts):
     return found
 
 
+def inside(text):
+    """(line, header) of what is included with <> where a namespace is open: its names would be the namespace's."""
+    found, depth = [], 0
+    for number, line in enumerate(text.split("\n"), 1):
+        if re.match(r"(inline )?namespace [^=]*\{$", line):
+            depth += 1
+        elif re.match(r"\}  // namespace", line):
+            depth -= 1
+        elif depth and (header := re.match(r"#include <(.*)>", line)):
+            found.append((number, header[1]))
+    return found
+
+
 def with_headers(text, headers):
     """The text with so many standard headers more: in their block, or in one of their own after the last include."""
     lines = text.split("\n")
@@ -132,14 +146,17 @@ def main(arguments):
         print(f"usage: check_standard.py [--mend] ROOT, with C++ files in {', '.join(FOLDERS)}", file=sys.stderr)
         return 2
     found = {name: headers for name in texts if (headers := missing(name, texts))}
+    misplaced = [f"{name}:{number}: <{header}> inside of a namespace"
+                 for name, text in texts.items() for number, header in inside(text)]
+    print("".join(line + "\n" for line in misplaced), end="")
     for name, headers in found.items():
         if mend:
             (root / name).write_text(with_headers(texts[name], headers), encoding="utf-8")
         else:
             print(f"{name}: " + ", ".join(f"std::{used} (<{header}>)" for header, names in headers.items() for used in names))
-    if mend or not found:
+    if mend or not (found or misplaced):
         print(f"{len(found)} files mended" if mend else f"{len(texts)} files include the standard headers of what they use")
-    return 1 if found and not mend else 0
+    return 1 if misplaced or (found and not mend) else 0
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "analysis/recurrence/single_lanes-inl.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,17 +17,7 @@ namespace swirl::analysis::recurrence::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-// Sixteen lanes hold the eight rows of a tile against two columns, eight against one.
-using Singles = hn::CappedTag<float, 2 * tile_side>;
-using Vector = hn::Vec<Singles>;
 using Words = hn::CappedTag<std::uint64_t, tile_side>;
-
-template <Norm norm>
-Vector joined(std::size_t m, Vector key, Vector d) {
-    if constexpr (norm == Norm::maximum) return m == 0 ? hn::Abs(d) : hn::Max(key, hn::Abs(d));
-    if constexpr (norm == Norm::manhattan) return m == 0 ? hn::Abs(d) : hn::Add(key, hn::Abs(d));
-    if constexpr (norm == Norm::euclidean) return m == 0 ? hn::Mul(d, d) : hn::MulAdd(d, d, key);
-}
 
 std::uint64_t bits_of(hn::Mask<Singles> mask) {
     std::uint8_t bytes[8] = {};
@@ -50,7 +42,7 @@ std::uint64_t near_blocks(const LagTask& task, std::size_t column_block, std::si
                                        hn::LoadU(tag, task.boxes.largest[m] + column_block + k));
             const auto below = hn::Sub(hn::LoadU(tag, task.boxes.least[m] + column_block + k),
                                        hn::LoadU(tag, task.boxes.largest[m] + row_block + k));
-            key = joined<norm>(m, key, hn::Max(hn::Max(above, below), zero));
+            key = joined_single<norm>(m, key, hn::Max(hn::Max(above, below), zero));
         }
         near |= bits_of(hn::Le(key, limit)) << k;
     }
@@ -69,16 +61,6 @@ struct RepeatedColumns {
     }
 };
 
-Vector eight_rows(const float* rows) {
-    const Singles tag;
-#if HWY_MAX_BYTES >= 64
-    const auto half = hn::LoadU(hn::Half<Singles>(), rows);
-    return hn::Combine(tag, half, half);
-#else
-    return hn::LoadU(tag, rows);
-#endif
-}
-
 // Bit 8 c + i of `found`: row i of column c of the tile is within the bound; whether pairs are left open.
 template <Norm norm, int dimension>
 bool compare_tile(const LagTask& task, std::size_t row, const RepeatedColumns<dimension>& columns,
@@ -89,12 +71,12 @@ bool compare_tile(const LagTask& task, std::size_t row, const RepeatedColumns<di
     auto open = hn::Lt(surely, surely);  // none
     found = 0;
     for (std::size_t i = 0; i < tile_side; i += rows_at_once) {
-        Vector rows[dimension];
+        SingleVector rows[dimension];
         for (std::size_t m = 0; m < dimension; ++m) rows[m] = eight_rows(task.coordinates[m] + row + i);
         for (std::size_t k = i; k < tile_side * tile_side; k += std::max(tile_side, hn::Lanes(tag))) {
             auto key = hn::Zero(tag);
             for (std::size_t m = 0; m < dimension; ++m)
-                key = joined<norm>(m, key, hn::Sub(rows[m], hn::LoadU(tag, columns.of[m] + k)));
+                key = joined_single<norm>(m, key, hn::Sub(rows[m], hn::LoadU(tag, columns.of[m] + k)));
             const auto within = hn::Le(key, surely);
             open = hn::Or(open, hn::AndNot(within, hn::Le(key, perhaps)));
             found |= bits_of(within) << k;

@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "analysis/recurrence/single_lanes-inl.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -124,26 +126,6 @@ std::uint64_t within(const Tag tag, const T* keys, T bound) {
 void store_tile(const TileTask& task, std::size_t q, std::size_t block, std::uint64_t found) {
     for (std::size_t k = 0; k < tile_side; ++k)
         task.bytes[q * tile_side + k][block] = static_cast<std::uint8_t>(found >> (k * tile_side));
-}
-
-// Single precision: eight lanes hold eight rows of one column, sixteen those of two.
-using Singles = hn::CappedTag<float, 2 * tile_side>;
-
-template <Norm norm>
-hn::Vec<Singles> joined_single(int m, hn::Vec<Singles> key, hn::Vec<Singles> d) {
-    if constexpr (norm == Norm::maximum) return m == 0 ? hn::Abs(d) : hn::Max(key, hn::Abs(d));
-    if constexpr (norm == Norm::manhattan) return m == 0 ? hn::Abs(d) : hn::Add(key, hn::Abs(d));
-    if constexpr (norm == Norm::euclidean) return m == 0 ? hn::Mul(d, d) : hn::MulAdd(d, d, key);
-}
-
-hn::Vec<Singles> eight_rows(const float* rows) {
-    const Singles tag;
-#if HWY_MAX_BYTES >= 64
-    const auto half = hn::LoadU(hn::Half<Singles>(), rows);
-    return hn::Combine(tag, half, half);
-#else
-    return hn::LoadU(tag, rows);
-#endif
 }
 
 // Each column of the group eight times over.

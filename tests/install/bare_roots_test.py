@@ -1,6 +1,6 @@
 """Both commands of the README in bare systems of Debian 12, 13 and unstable, from a clone alone: bare_roots_test.py ROOT
 
-What is there at first is apt and what every system has. An hour and more of two cores. As root, with mmdebstrap."""
+What is there at first is apt and what every system has. An hour and more of two cores. As root, with mmdebstrap and mount."""
 
 import contextlib
 import os
@@ -43,7 +43,8 @@ def bare(release):
                 told("umount", place)
 
 
-@unittest.skipUnless(os.geteuid() == 0 and shutil.which("mmdebstrap"), "a bare root needs root and mmdebstrap: not tested")
+@unittest.skipUnless(os.geteuid() == 0 and shutil.which("mmdebstrap") and shutil.which("mount"),
+                     "a bare root needs root, mmdebstrap and mount: not tested")
 class BareRoots(unittest.TestCase):
     def both_commands_pass(self, release):
         with bare(release) as root:

@@ -128,7 +128,8 @@ class Packages(unittest.TestCase):
         self.assertEqual(left, set())
         self.assertFalse((root / "usr/share/swirl").exists())
 
-    @unittest.skipUnless(os.geteuid() == 0 and shutil.which("mmdebstrap"), "a bare root needs root and mmdebstrap: not tested")
+    @unittest.skipUnless(os.geteuid() == 0 and shutil.which("mmdebstrap") and shutil.which("mount"),
+                         "a bare root needs root, mmdebstrap and mount: not tested")
     def test_with_nothing_else_present_they_work_and_go_without_a_trace(self):
         """In a system of apt alone what they depend on comes with them, and nothing that they do not name."""
         root = self.folder / "bare"

@@ -102,6 +102,8 @@ class Recurrence:
                                         ("threshold-std", 0.5), ("recurrence-rate", 0.02), ("recurrence-rate", 0.2)))
         shifts = [case.values[k * self.delay:len(case.values) - (self.dimension - 1 - k) * self.delay]
                   for k in range(self.dimension)]
+        known = numpy.flatnonzero(~numpy.isnan(shifts).any(axis=0))
+        shifts = [x[known[0]:known[-1] + 1] for x in shifts]  # as of the series: missing ends are no rows
         self.there = ~numpy.isnan(shifts).any(axis=0)
         self.rows = len(self.there)
         self.distance = None

@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <system_error>
 
@@ -66,6 +68,12 @@ void require_replaceable(const OutputOptions& output) {
             output.record, *other, output.command));
 }
 
+std::string suffix_of(const std::string& file) {
+    std::string suffix = std::filesystem::path(file).extension().string();
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+    return suffix;
+}
+
 void require_record_name(const OutputOptions& output) {
     constexpr std::array<std::array<const char*, 3>, 9> others = {{{".png", "plot", "-o"},
                                                                    {".svg", "plot", "-o"},
@@ -76,7 +84,7 @@ void require_record_name(const OutputOptions& output) {
                                                                    {".webm", "animate", "-o"},
                                                                    {".ipynb", "notebook", "-o"},
                                                                    {".csv", "show", "--csv"}}};
-    const std::string suffix = std::filesystem::path(output.record).extension().string();
+    const std::string suffix = suffix_of(output.record);
     for (const auto& [other, command, flag] : others)
         if (suffix == other)
             throw BadInput(

@@ -28,6 +28,9 @@ void require_no_input(const std::string& output, const std::vector<std::string>&
 /// Refuses an existing file that is not a record of the command, unless --force is given. @throws BadInput
 void require_replaceable(const OutputOptions& output);
 
+/// The ending of a file's name with its dot, in small letters: ".csv" of A.CSV.
+std::string suffix_of(const std::string& file);
+
 /// Refuses the name of a figure, film or notebook, which other commands make of the record. @throws BadInput
 void require_record_name(const OutputOptions& output);
 

@@ -89,7 +89,7 @@ void FilmOptions::check(const OutputOptions& output, bool sampled) const {
     if (pixels) require("pixels", *pixels, *pixels >= 1 && *pixels <= 1e6, "1 to 1e6");
     if (sampled) throw BadInput("--camera and --sample are both given; give one");
     if (output.record.empty()) throw BadInput("--camera writes a film's table: -o FILE.csv is missing");
-    if (std::filesystem::path(output.record).extension() == ".h5")
+    if (suffix_of(output.record) == ".h5")
         throw BadInput(fmt::format("output '{}': --camera writes a film's table (text), no record: give -o FILE.csv",
                                    output.record));
 }

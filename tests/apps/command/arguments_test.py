@@ -131,6 +131,8 @@ class Arguments(InFolder):
 
     def test_a_record_is_no_table_and_a_film_no_record(self):
         self.refused(f"simulate {SCENE} -o x.csv", "output 'x.csv'", "give -o FILE.h5, then swirl show FILE.h5 --csv x.csv")
+        self.refused(f"simulate {SCENE} -o x.CSV", "output 'x.CSV'", "give -o FILE.h5, then swirl show FILE.h5 --csv x.CSV")
+        self.refused(f"simulate {SCENE} --camera 5 -o x.H5", "output 'x.H5'", "give -o FILE.csv")
         self.refused(f"simulate {SCENE} --camera 5 -o o.h5", "output 'o.h5'", "give -o FILE.csv")
 
     def test_what_a_flag_is_not_of(self):

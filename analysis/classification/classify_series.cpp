@@ -119,8 +119,9 @@ Evidence divergence_evidence(const SeriesExponent& found, const std::string& oth
             : !above             ? "the rate at which neighbours part is not told from 0"
             : found.resolved     ? "neighbours part at one rate (threshold: two of its errors)"
                                  : "neighbours part, but are too far apart from the first for an exponent",
-            above ? "at or below " + in_words(2 * found.error) + " (two of its errors): undecided"
-                  : "above " + in_words(2 * found.error) + " (two of its errors): " + otherwise};
+            found.dimensions < 2 ? "a longer series, in which they part along such a stretch: " + otherwise
+            : above              ? "at or below " + in_words(2 * found.error) + " (two of its errors): undecided"
+                                 : "above " + in_words(2 * found.error) + " (two of its errors): " + otherwise};
 }
 
 Evidence typical_evidence(const SeriesExponent& found, const std::string& otherwise) {

@@ -2,10 +2,12 @@
 
 First that they are equal: Welch's estimate (its segments' length, Hann's window, half a segment of overlap) and Lomb and
 Scargle's periodogram of uneven times, to 1e-9 of the largest power. With ROWS also times, of whole processes that read the
-same file, three each in turn: SciPy's reads it by numpy.loadtxt; of Lomb and Scargle's, whose time grows with their number,
-SciPy has 200 frequencies and Swirl all of them. Exit code 77: SciPy is missing, and the test skipped."""
+same file, three each in turn: of the clock and, which other work on the machine hardly changes, of the cores. SciPy's reads it
+by numpy.loadtxt; of Lomb and Scargle's, whose time grows with their number, SciPy has 200 frequencies and Swirl all of them. Exit
+code 77: SciPy is missing, and the test skipped."""
 
 import json
+import resource
 import statistics
 import subprocess
 import sys
@@ -75,9 +77,11 @@ def largest_difference(rows, even, folder):
 
 
 def seconds(words):
-    begin = time.perf_counter()
+    """Of the clock, and of the cores."""
+    begin, used = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
-    return time.perf_counter() - begin
+    now = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return time.perf_counter() - begin, now.ru_utime + now.ru_stime - used.ru_utime - used.ru_stime
 
 
 def print_times(rows, folder):
@@ -87,10 +91,11 @@ def print_times(rows, folder):
         ours = [SWIRL, "spectrum", "--series", path, "--json", "--quiet"]
         length = of_swirl(path)["settings"]["segment_length"] if even else 0
         theirs = [sys.executable, "-c", SCIPY, path, str(length)]
-        pairs = [(seconds(ours), seconds(theirs)) for _ in range(3)]
-        a, b = (statistics.median(column) for column in zip(*pairs))
+        pairs = [seconds(ours) + seconds(theirs) for _ in range(3)]
+        clock, core, their_clock, their_core = (statistics.median(column) for column in zip(*pairs))
         what = "Welch" if even else f"Lomb-Scargle (SciPy: {FEW} of {rows // 2:,} frequencies)"
-        print(f"{what}, {rows:,} rows: swirl {a:.2f} s, SciPy {b:.2f} s, {b / a:.1f} times")
+        print(f"{what}, {rows:,} rows: swirl {clock:.2f} s ({core:.2f} s of a core), SciPy {their_clock:.2f} s "
+              f"({their_core:.2f} s), {their_clock / clock:.1f} times ({their_core / core:.1f} times)")
 
 
 def main():

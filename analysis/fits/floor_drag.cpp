@@ -82,20 +82,7 @@ double scale_of(const std::vector<Bend>& bends, double noise) {
     return std::max(1.0, std::sqrt(quantile(std::move(squares), 0.5) / median_square_of_one));
 }
 
-/// Places with what the floor's motion adds to them (sign 1), or without it (−1).
-std::vector<FilmFrame> with_carried(std::span<const FilmFrame> frames, const FloorMotion& floor, double drag,
-                                    double sign) {
-    std::vector<FilmFrame> moved(frames.begin(), frames.end());
-    for (FilmFrame& frame : moved) frame.place.head<2>() += sign * floor.carried(frame.time, drag);
-    return moved;
-}
-
 }  // namespace
-
-Eigen::Vector2d FloorMotion::carried(double time, double drag) const {
-    const Complex place = amplitude(*this, drag) * std::polar(1.0, rate * time + phase);
-    return {place.real(), place.imag()};
-}
 
 std::vector<ArcPart> parts_between(const FilmArcs& film, std::span<const Kink> kinks) {
     constexpr double sure = 4;  // standard errors
@@ -144,32 +131,35 @@ DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> par
     return fit;
 }
 
-DragFit settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
-                     const FloorMotion& floor, const PartsOf& parts_of) {
+DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+                         const FloorMotion& floor, const PartsOf& parts_of) {
     constexpr int rounds = 8;
     constexpr double settled = 0.3;  // of the error: less moves no interval by much
-    FilmArcs film = straight;
-    DragFit found;
-    double divided_with = 0;
-    const auto fit = [&] {
-        const std::vector<FilmFrame> kept = with_carried(film.kept, floor, divided_with, 1);
-        found = fit_drag(kept, parts_of(film, kept), floor, film.place_noise);
-    };
+    DraggedArcs found{{}, straight};
+    FilmArcs& film = found.arcs;
+    const auto fit = [&] { found.drag = fit_drag(film.kept, parts_of(film), floor, film.place_noise); };
     fit();
     const Eigen::Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
     for (const double factor :
          {3.0, 10.0, 30.0}) {  // bent arcs of little noise are cut into pieces too short for a fit
-        if (std::isfinite(found.value)) break;
-        film = fit_arcs(frames, period, {0, factor * noise});
+        if (std::isfinite(found.drag.value)) break;
+        film = fit_arcs(frames, period, {0, floor, factor * noise});
         fit();
     }
     for (int round = 0; round < rounds; ++round) {
-        if (!(std::abs(found.value - divided_with) > settled * found.error)) return found;
-        divided_with = found.value;
-        film = fit_arcs(with_carried(frames, floor, divided_with, -1), period, {divided_with, Eigen::Vector3d::Zero()});
+        if (!(std::abs(found.drag.value - film.drag) > settled * found.drag.error)) break;
+        film = fit_arcs(frames, period, {found.drag.value, floor, Eigen::Vector3d::Zero()});
         fit();
     }
+    film = std::isfinite(found.drag.value) ? with_drag(film, found.drag.value) : straight;
     return found;
+}
+
+double cost_of(const FilmArcs& film, double place_noise, double angle_noise) {
+    double cost = cost_of_arc * static_cast<double>(film.arcs.size() + film.outliers);
+    for (const FreeArc& arc : film.arcs)
+        cost += arc.squares / (place_noise * place_noise) + arc.angle_squares / (angle_noise * angle_noise);
+    return cost;
 }
 
 }  // namespace swirl::analysis

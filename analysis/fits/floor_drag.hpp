@@ -12,16 +12,6 @@
 
 namespace swirl::analysis {
 
-/// A floor that does not turn, whose place is radius (cos, sin)(rate t + phase). With the drag γ a free body obeys
-/// X″ = −γ (X′ − floor's velocity), so that X = A + B (1 − e^(−γt))/γ + K cis(rate t + phase), K = γ radius/(γ + i
-/// rate): without the last, straight in dragged_time().
-struct FloorMotion {
-    double radius = 0, rate = 1, phase = 0;
-
-    /// K cis(rate t + phase).
-    Eigen::Vector2d carried(double time, double drag) const;
-};
-
 /// Frames of one arc, first and last included, that are away from the kinks at its ends.
 struct ArcPart {
     std::size_t first = 0, last = 0;
@@ -32,9 +22,15 @@ struct ArcPart {
 std::vector<ArcPart> parts_between(const FilmArcs& film, std::span<const Kink> kinks);
 inline constexpr std::size_t fewest_bent = 4;
 
+/// Standard errors to either end of an interval at 95 %.
+inline constexpr double sure_drag = 1.959964;
+
 struct DragFit {
     double value = nan, error = nan;  ///< γ, in 1/time; NaN with fewer parts than `fewest_parts`
     std::size_t parts = 0;
+
+    /// The interval is above 0.
+    bool surely_drags() const { return value > sure_drag * error; }
 };
 
 /// γ by least squares over the places of all parts, each with an A and B of its own (variable projection,
@@ -43,15 +39,24 @@ struct DragFit {
 ///   frames  in the laboratory, film.kept of straight arcs;   noise  of x or y in one frame
 DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, const FloorMotion& floor,
                  double noise);
-inline constexpr std::size_t fewest_parts = 20;
+inline constexpr std::size_t fewest_parts = 8;
 
-/// Which parts of the arcs count; frames are arcs.kept in the laboratory.
-using PartsOf = std::function<std::vector<ArcPart>(const FilmArcs& arcs, std::span<const FilmFrame> frames)>;
+/// Which parts of the arcs count.
+using PartsOf = std::function<std::vector<ArcPart>(const FilmArcs& arcs)>;
+
+struct DraggedArcs {
+    DragFit drag;
+    FilmArcs arcs;  ///< with drag.value, or those given where that is NaN
+};
 
 /// γ of a film. Arcs under a drag are no straight lines, and straight ones cut them where noise allows it best, so that
 /// what is left bends too little: frames are divided anew with the γ that was found (fit_arcs) until it stays.
 ///   straight  arcs of those frames without a drag
-DragFit settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
-                     const FloorMotion& floor, const PartsOf& parts_of);
+DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+                         const FloorMotion& floor, const PartsOf& parts_of);
+
+/// What fit_arcs() makes least, for noise (x or y, θ) that is given: two films of the same frames differ by how well
+/// their floors describe them. An outlier costs what a line does.
+double cost_of(const FilmArcs& film, double place_noise, double angle_noise);
 
 }  // namespace swirl::analysis

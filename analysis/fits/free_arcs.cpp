@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
 namespace swirl::analysis {
 
@@ -23,6 +24,13 @@ struct Track {
     double step = nan;  ///< median, of the times
     double drag = 0;
 };
+
+/// Adds what the floor carries (sign 1), or takes it off (−1).
+void carry(Track& track, const FloorMotion& floor, double sign) {
+    if (track.drag == 0) return;
+    for (std::size_t i = 0; i < track.times.size(); ++i)
+        track.places[i] += sign * floor.carried(track.times[i], track.drag);
+}
 
 Track track_of(std::span<const FilmFrame> frames, double period) {
     Track track;
@@ -231,12 +239,31 @@ std::size_t remove_frames(Track& track, const std::vector<bool>& off) {
     return removed;
 }
 
+std::complex<double> carried_by(const FloorMotion& floor, double time, double drag) {
+    return drag * floor.radius / std::complex<double>(drag, floor.rate) *
+           std::polar(1.0, floor.rate * time + floor.phase);
+}
+
 }  // namespace
+
+Vector3d FloorMotion::carried(double time, double drag) const {
+    if (drag == 0) return Vector3d::Zero();
+    const std::complex<double> place = carried_by(*this, time, drag);
+    return {place.real(), place.imag(), 0};
+}
+
+Vector3d FloorMotion::carried_velocity(double time, double drag) const {
+    if (drag == 0) return Vector3d::Zero();
+    const std::complex<double> place = carried_by(*this, time, drag);
+    return {-rate * place.imag(), rate * place.real(), 0};
+}
 
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options) {
     Track track = track_of(frames, period);
     track.drag = options.drag;
+    carry(track, options.floor, -1);
     FilmArcs film;
+    film.drag = options.drag, film.floor = options.floor;
     film.frames = track.times.size();
     if (film.frames < 3) return film;
     Vector3d noise = first_noise(track).cwiseMax(options.least_noise);
@@ -249,8 +276,24 @@ FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOpt
     }
     film.place_noise = noise[0], film.angle_noise = noise[2];
     film.noise = noise_of_body(track, film.arcs, noise);
+    carry(track, options.floor, 1);
     for (std::size_t i = 0; i < track.times.size(); ++i) film.kept.push_back({track.times[i], track.places[i]});
     return film;
+}
+
+FilmArcs with_drag(const FilmArcs& film, double drag) {
+    FilmArcs other = film;
+    other.drag = drag;
+    Track track;
+    track.drag = drag;
+    track.after_gap.assign(film.kept.size(), false);
+    for (const FilmFrame& frame : film.kept) track.times.push_back(frame.time), track.places.push_back(frame.place);
+    carry(track, film.floor, -1);
+    for (FreeArc& arc : other.arcs) {
+        track.after_gap[arc.first] = arc.after_gap;
+        arc = line_through(track, arc.first, arc.last);
+    }
+    return other;
 }
 
 std::vector<Kink> kinks_of(const FilmArcs& film) {
@@ -260,22 +303,28 @@ std::vector<Kink> kinks_of(const FilmArcs& film) {
         const FreeArc &before = film.arcs[k], &after = film.arcs[k + 1];
         if (before.count < fewest_frames || after.count < fewest_frames || after.after_gap) continue;
         const double middle = (before.end + after.start) / 2;
-        const Vector3d velocity_before = before.velocity_at(middle), velocity_after = after.velocity_at(middle);
-        const Vector3d bend = (velocity_before - velocity_after).cwiseQuotient(noise);
         const auto apart = [&](double time) -> Vector3d {
             return (before.at(time) - after.at(time)).cwiseQuotient(noise);
         };
         Kink kink;
         kink.before = k, kink.earliest = before.end, kink.latest = after.start;
+        Vector3d bend = (before.velocity_at(middle) - after.velocity_at(middle)).cwiseQuotient(noise);
         kink.time = middle - apart(middle).dot(bend) / bend.squaredNorm();  // the distance is linear in the time
+        if (film.drag != 0) {                                               // nearly
+            bend = (before.velocity_at(kink.time) - after.velocity_at(kink.time)).cwiseQuotient(noise);
+            kink.time -= apart(kink.time).dot(bend) / bend.squaredNorm();
+        }
         const double a = before.share(kink.time), b = after.share(kink.time);
         kink.error = std::sqrt((a + b) / bend.squaredNorm());
         kink.distance = apart(kink.time).squaredNorm() / (a + b);
-        kink.place = (before.at(kink.time) / a + after.at(kink.time) / b) / (1 / a + 1 / b);
+        kink.velocity_before = film.velocity_on(before, kink.time);
+        kink.velocity_after = film.velocity_on(after, kink.time);
+        kink.place = (film.place_on(before, kink.time) / a + film.place_on(after, kink.time) / b) / (1 / a + 1 / b);
         kink.share = 1 / (1 / a + 1 / b);
-        kink.change = velocity_after - velocity_before;
-        kink.drift = (velocity_before / a + velocity_after / b) / (1 / a + 1 / b);
-        kink.change_share = 1 / before.spread + 1 / after.spread;
+        kink.change = kink.velocity_after - kink.velocity_before;
+        kink.drift = (kink.velocity_before / a + kink.velocity_after / b) / (1 / a + 1 / b);
+        const double decay_before = before.decay(kink.time), decay_after = after.decay(kink.time);
+        kink.change_share = decay_before * decay_before / before.spread + decay_after * decay_after / after.spread;
         kinks.push_back(kink);
     }
     return kinks;

@@ -1,4 +1,5 @@
-// A film of a body that moves freely between impacts: straight lines with constant spin, and the kinks between them.
+// A film of a body that moves freely between impacts: straight lines with constant spin, or what a floor's drag makes
+// of them, and the kinks between them.
 #pragma once
 
 #include "analysis/special_values.hpp"
@@ -23,8 +24,20 @@ inline double dragged_time(double time, double drag) {
     return drag == 0 ? time : -std::expm1(-drag * time) / drag;
 }
 
+/// A floor that does not turn, whose place is radius (cos, sin)(rate t + phase); radius 0: it stands still. With the
+/// drag γ a free body obeys X″ = −γ (X′ − floor's velocity), so that X = A + B (1 − e^(−γt))/γ + K cis(rate t + phase),
+/// K = γ radius/(γ + i rate): without the last, straight in dragged_time().
+struct FloorMotion {
+    double radius = 0, rate = 1, phase = 0;
+
+    /// K cis(rate t + phase), and its velocity; the angle is not carried.
+    Eigen::Vector3d carried(double time, double drag) const;
+    Eigen::Vector3d carried_velocity(double time, double drag) const;
+};
+
 /// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time), or with
-/// a drag middle + velocity (dragged_time(time − mean time) − lag).
+/// a drag middle + velocity (dragged_time(time − mean time) − lag), to which FilmArcs::place_on() adds what the floor
+/// carries.
 struct FreeArc {
     std::size_t first = 0, last = 0;  ///< of the frames that count, both included
     std::size_t count = 0;            ///< frames on it
@@ -37,9 +50,9 @@ struct FreeArc {
 
     double since(double time) const { return dragged_time(time - mean_time, drag) - lag; }
     Eigen::Vector3d at(double time) const { return middle + velocity * since(time); }
-    Eigen::Vector3d velocity_at(double time) const {
-        return drag == 0 ? velocity : Eigen::Vector3d(velocity * std::exp(-drag * (time - mean_time)));
-    }
+    /// Of the velocity at the mean time, what is left of it at another.
+    double decay(double time) const { return drag == 0 ? 1 : std::exp(-drag * (time - mean_time)); }
+    Eigen::Vector3d velocity_at(double time) const { return velocity * decay(time); }
     /// Variance of at(time) in units of σ².
     double share(double time) const { return 1 / static_cast<double>(count) + since(time) * since(time) / spread; }
 };
@@ -52,10 +65,19 @@ struct FilmArcs {
     Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
     std::size_t frames = 0, outliers = 0;  ///< that count, and that lie off a line which goes on behind them
     std::vector<FilmFrame> kept;  ///< those that count, outliers left out, the angle unwound: arcs' first and last
+    double drag = 0;              ///< γ of all arcs
+    FloorMotion floor;
+
+    /// Of the body on the arc, in the laboratory.
+    Eigen::Vector3d place_on(const FreeArc& arc, double time) const { return arc.at(time) + floor.carried(time, drag); }
+    Eigen::Vector3d velocity_on(const FreeArc& arc, double time) const {
+        return arc.velocity_at(time) + floor.carried_velocity(time, drag);
+    }
 };
 
 struct ArcOptions {
     double drag = 0;
+    FloorMotion floor;
     Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< σ of x, y and θ is taken for no less
 };
 
@@ -64,22 +86,28 @@ struct ArcOptions {
 /// 1590). σ starts from a lower quantile of how far frames lie off the line of their neighbours, where kinks do not
 /// reach, and is then that of the residuals on lines of many frames. Up to two frames between parts of one line are
 /// outliers. `period` is that of the angle; turns from frame to frame are less than half of it, after lost frames near
-/// to what the last turn leads to. Times rise. With a drag lines are straight in dragged_time(). O(frames × frames on
-/// an arc).
+/// to what the last turn leads to. Times rise. With a drag lines are those of FloorMotion. O(frames × frames on an
+/// arc).
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options = {});
+
+/// The same arcs, each fitted to its frames with another drag. O(frames).
+FilmArcs with_drag(const FilmArcs& film, double drag);
 
 /// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
 inline constexpr double cost_of_arc = 25;
 /// So many lost frames are bridged.
 inline constexpr double longest_gap = 3.5;
 
-/// Where two neighbouring lines meet: the time at which their distance, in units of its errors, is least.
+/// Where two neighbouring lines meet: the time at which their distance, in units of its errors, is least. Place and
+/// velocities are the body's, in the laboratory.
 struct Kink {
     std::size_t before = 0;  ///< the arc; the next one is that after
     double time = nan, error = nan;
     double earliest = nan, latest = nan;  ///< the frames about it
     Eigen::Vector3d place = Eigen::Vector3d::Constant(nan);
-    double share = nan;                                       ///< variance of the place in units of σ²
+    double share = nan;                                                ///< variance of the place in units of σ²
+    Eigen::Vector3d velocity_before = Eigen::Vector3d::Constant(nan);  ///< at its time
+    Eigen::Vector3d velocity_after = Eigen::Vector3d::Constant(nan);
     Eigen::Vector3d change = Eigen::Vector3d::Constant(nan);  ///< of the velocity, after − before
     double change_share = nan;                                ///< its variance in units of σ²
     Eigen::Vector3d drift = Eigen::Vector3d::Constant(nan);   ///< of the place by time: what an error of this moves it

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace swirl::apps::fit {
 
@@ -116,19 +117,32 @@ void FilmOptions::add_to(Flags& command) {
                     "direction of a vertex where the film's angle is 0, in radians (default: fitted)")
         ->type_name("A")
         ->group("Scene of a film");
+    command
+        .add_option("--floor", floor, "that drags: dish, which moves with the wall, or table (default: the arcs tell)")
+        .type_name("FLOOR")
+        .group("Scene of a film")
+        .offer({"dish", "table"});
+}
+
+std::optional<studies::Floor> FilmOptions::known_floor() const {
+    if (floor.empty()) return std::nullopt;
+    for (const studies::Floor one : {studies::Floor::dish, studies::Floor::table})
+        if (floor == studies::name_of(one)) return one;
+    throw BadInput(fmt::format("floor = {} is outside its range: dish, table", floor));
 }
 
 void FilmOptions::require_none() const {
     const auto of_shape =
         std::find_if(shape.begin(), shape.end(), [](const auto& flag) { return !flag.second.empty(); });
     if (of_shape != shape.end()) throw BadInput(fmt::format("--{} is a film's; give --series FILE", of_shape->first));
-    if (series.given() || !angle.empty() || !series.rows.empty() || !vertex.empty())
+    if (series.given() || !angle.empty() || !series.rows.empty() || !vertex.empty() || !floor.empty())
         throw BadInput("columns and how they are read are a film's; give --series FILE");
 }
 
 DishFilm read_film(FilmOptions& options) {
     std::erase_if(options.shape, [](const auto& flag) { return flag.second.empty(); });
     require_usable(options.series, options.angle);
+    static_cast<void>(options.known_floor());
     DishFilm film;
     take_shape(options, film);
     SeriesChoice turning = options.series;

@@ -7,11 +7,13 @@
 #include "apps/command_line/scene_options.hpp"
 #include "apps/input/series_choice.hpp"
 #include "apps/studies/fits/dish_motion.hpp"
+#include "apps/studies/fits/film_drag.hpp"
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +24,13 @@ struct FilmOptions {
     std::string angle;                         ///< a column of angles
     std::map<std::string, std::string> shape;  ///< of the scene, by the names of its flags
     std::string vertex;                        ///< direction of a vertex at the film's angle 0, if it is known
+    std::string floor;                         ///< dish or table, if it is known
 
     void add_to(Flags& command);
     bool given() const { return !series.file.empty(); }
     /// @throws BadInput for flags of a film without --series
     void require_none() const;
+    std::optional<studies::Floor> known_floor() const;
 };
 
 struct DishFilm {

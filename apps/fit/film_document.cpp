@@ -28,9 +28,26 @@ Eigen::Vector2d origin_of(const FilmReport& report) {
 
 /// γ of the floor with its interval at 95 %; not finite where it can't be told.
 Settings drag_of(const studies::FilmFit& film) {
-    constexpr double sure = 1.959964;  // standard errors
-    const double room = sure * film.drag.error;
-    return {{"value", film.drag.value}, {"low", film.drag.value - room}, {"high", film.drag.value + room}};
+    const studies::FilmDrag& drag = film.drag;
+    const analysis::DragFit& found = drag.with.drag;
+    const double room = analysis::sure_drag * found.error;
+    return {{"value", found.value},
+            {"low", found.value - room},
+            {"high", found.value + room},
+            {"floor", std::string(name_of(drag.floor))},
+            {"floor_decided", drag.floor_told},
+            {"restitution_shift", studies::unseen_drag_shift(film)}};
+}
+
+std::string drag_in_words(const studies::FilmFit& film) {
+    const analysis::DragFit& drag = film.drag.with.drag;
+    if (std::isnan(drag.value)) return "can't be told";
+    const std::string words = fmt::format("{:.3g} +- {:.2g} of the velocity per 1/omega_s", drag.value, drag.error);
+    if (film.arcs.drag == 0)
+        return fmt::format("{}; arcs are straight (at the upper end of 95 % it would add some {:.1g} to e)", words,
+                           studies::unseen_drag_shift(film));
+    return words + (film.drag.floor == studies::Floor::dish ? ", of a floor that moves with the dish"
+                                                            : ", of a table, which stands still");
 }
 
 /// Usable impacts beyond the first of those that are fitted as one.
@@ -63,11 +80,26 @@ Settings film_settings(const FilmReport& report) {
             {"swirl_phase", film.dish.phase},
             {"vertex", film.dish.mark},
             {"off_wall", film.dish.off_wall},
+            {"arcs_drag", film.arcs.drag},
+            {"floor_radius", film.arcs.floor.radius},
+            {"floor_rate", film.arcs.floor.rate},
+            {"floor_phase", film.arcs.floor.phase},
             {"alpha_on_wall", film.size ? film.size->alpha : analysis::nan},
             {"alpha_on_wall_error", film.size ? film.size->error : analysis::nan},
             {"noisier_films", static_cast<std::int64_t>(film.noisier)},
             {"restitution_shift", film.restitution_shift},
             {"friction_shift", film.friction_shift}};
+}
+
+/// Middles and velocities at the mean time as the body's, of which those of the arcs are without what a floor carries.
+std::vector<FreeArc> in_laboratory(const analysis::FilmArcs& film) {
+    std::vector<FreeArc> arcs = film.arcs;
+    for (FreeArc& arc : arcs) {
+        const Eigen::Vector3d place = film.place_on(arc, arc.mean_time),
+                              velocity = film.velocity_on(arc, arc.mean_time);
+        arc.middle = place, arc.velocity = velocity;
+    }
+    return arcs;
 }
 
 Table<FreeArc> arc_table() {
@@ -83,9 +115,9 @@ Table<FreeArc> arc_table() {
              F{"x", of(&FreeArc::middle, 0), "R_c", "of the centre at that time, y up"},
              F{"y", of(&FreeArc::middle, 1), "R_c", "of the centre at that time"},
              F{"angle", of(&FreeArc::middle, 2), "rad", "at that time, unwound"},
-             F{"vx", of(&FreeArc::velocity, 0), "R_c omega_s", "in the laboratory"},
+             F{"vx", of(&FreeArc::velocity, 0), "R_c omega_s", "in the laboratory, at that time"},
              F{"vy", of(&FreeArc::velocity, 1), "R_c omega_s", "in the laboratory"},
-             F{"S", of(&FreeArc::velocity, 2), "1", "spin"}}};
+             F{"S", of(&FreeArc::velocity, 2), "1", "spin at that time"}}};
 }
 
 Table<analysis::FilmFrame> frame_table() {
@@ -162,7 +194,7 @@ void write_record(const RecordGroup& root, const FilmReport& report) {
     write_attributes(group.group("left_out"), counts_of(report.film));
     write_attributes(group.group("drag"), drag_of(report.film));
     write_record(root.group("frames"), frame_table(), report.source.frames);
-    write_record(root.group("arcs"), arc_table(), report.film.arcs.arcs);
+    write_record(root.group("arcs"), arc_table(), in_laboratory(report.film.arcs));
     write_record(root.group("kinks"), kink_table(), report.film.impacts);
     write_record(root.group("simulated"), simulated_table(), report.simulated);
 }
@@ -181,10 +213,7 @@ void print_film(const FilmReport& report) {
                film.size
                    ? fmt::format(", and on it best with alpha = {:.4g} +- {:.1g}", film.size->alpha, film.size->error)
                    : "");
-    fmt::print("  floor's drag    {}\n",
-               std::isnan(film.drag.value)
-                   ? "can't be told"
-                   : fmt::format("{:.3g} +- {:.2g} of the velocity per 1/omega_s", film.drag.value, film.drag.error));
+    fmt::print("{}\n", wrapped(fmt::format("  floor's drag    {}", drag_in_words(film)), 18));
     std::vector<std::string> reasons;
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
         if (film.counts[use] > 0)

@@ -39,6 +39,12 @@ where it is no uniform lamina), and a note says if momentum contradicts it. Thre
 noise again are fitted, too: what that does to e and mu is in their intervals. At the end stand the
 commands that classify the scene found, and sweep over the uncertainty of e and mu.
 
+A floor may drag (`drag`, of the velocity per 1/omega_s): it moves with the dish, or stands still under
+a ring that is moved about (--floor table); the arcs tell which, if they can. Where the drag is surely
+above 0, arcs bend by it, and e and mu are those with it; else arcs are straight. The impacts also tell
+the body's alpha: a note says where it is surely another than the given one, by 0.001 or more, and from
+0.01 on, or where nothing can be fitted, the film is refused, since 1 % in alpha moves e by 0.03.
+
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes
 on with what momentum asks for. Then e and mu of each law by total least squares with Tukey's
@@ -55,7 +61,8 @@ examples make the film that they fit.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 --time 300 --camera 5 --noise 0.002 -o film.csv
-  swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.4 --beta 0.5)";
+  swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.4 --beta 0.5
+  swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.398 --beta 0.5 --floor table)";
 
 void FitOptions::add_to(Flags& command) {
     add_file(command, "--impacts", impacts, "a table of measured impacts (text, a header with the columns' names)")

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,21 @@ std::string sustained_contact(const studies::FilmFit& film) {
 }
 
 std::string size_in_words(const studies::SizeFit& size, double given) {
-    return fmt::format("the body lies on the wall with alpha = {:.4g} +- {:.1g}, not with {:.4g}", size.alpha,
-                       size.error, given);
+    return fmt::format("the body lies on the wall with alpha = {:.4g} +- {:.1g}, not with {:.4g}, which {} {:.2g} R_c",
+                       size.alpha, size.error, given,
+                       given < size.alpha ? "leaves it clear of the wall by" : "puts it beyond the wall by",
+                       std::abs(given - size.alpha));
+}
+
+/// Of impacts that no law describes: what momentum says of kappa, if it is another.
+std::string inertia_in_words(const analysis::ImpactFit& fit, double alpha) {
+    if (!contradicts_momentum(fit, true)) return "";
+    const double square = alpha * alpha;
+    return fmt::format(
+        "; momentum contradicts I/m = {:.4g}, kappa = {:.4g}: it alone gives kappa = {:.4g} [{:.4g}, {:.4g}] "
+        "(--inertia-factor)",
+        fit.inertia.value, fit.inertia.value / square, fit.balance.value / square, fit.balance.low / square,
+        fit.balance.high / square);
 }
 
 void note_size(std::vector<std::string>& notes, const FilmReport& report) {
@@ -41,22 +55,26 @@ void note_size(std::vector<std::string>& notes, const FilmReport& report) {
         size_in_words(*report.film.size, report.source.scene.alpha)));
 }
 
-void note_drag(std::vector<std::string>& notes, const analysis::DragFit& drag) {
-    constexpr double surely = 1.959964;  // standard errors: 95 %
+void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bool floor_given) {
+    const analysis::DragFit &drag = film.drag.with.drag, &other = film.drag.on_the_other;
     if (std::isnan(drag.value))
         notes.push_back(
             fmt::format("the floor's drag can't be told: {} arcs between two impacts are long enough and "
                         "clear of the wall, {} are needed",
                         drag.parts, analysis::fewest_parts));
-    else if (drag.value > surely * drag.error)
-        notes.push_back(fmt::format(
-            "the body slows between impacts, as on a floor that drags and moves with the dish: e and mu are "
-            "those of straight arcs, and are off by some {:.1g} of themselves for each unit of a flight's time",
-            drag.value));
-    else if (drag.value < -surely * drag.error)
+    else if (drag.value < -analysis::sure_drag * drag.error)
         notes.push_back(
             fmt::format("the body speeds up between impacts, which no floor's drag does: --beta, --scale "
                         "or the times may not be the film's"));
+    if (film.arcs.drag == 0) return;
+    notes.push_back(
+        "the floor drags: arcs, e and mu are those with its drag; the commands are of the scene without, which they "
+        "do not know");
+    if (film.drag.floor_told || floor_given) return;
+    notes.push_back(fmt::format(
+        "whether the floor moves with the dish or stands still can't be told from these arcs: e and mu are those of "
+        "--floor dish; on a table, which stands still, the drag would be {:.3g} +- {:.2g}: see --floor table",
+        other.value, other.error));
 }
 
 void require_fitted(const studies::FilmFit& film, double alpha, const std::string& file) {
@@ -65,8 +83,8 @@ void require_fitted(const studies::FilmFit& film, double alpha, const std::strin
         case FilmFitOutcome::fitted:
             return;
         case FilmFitOutcome::another_size:
-            throw BadInput(fmt::format("series '{}': {}; its size, --container-radius or --scale is not the film's",
-                                       file, size_in_words(*film.size, alpha)));
+            throw BadInput(fmt::format("series '{}': {}; its size, --container-radius or --scale is not the film's{}",
+                                       file, size_in_words(*film.size, alpha), sustained_contact(film)));
         case FilmFitOutcome::few_kinks:
             throw BadInput(
                 fmt::format("series '{}': {} frames on {} straight lines, of which too few of {} frames or more meet; "
@@ -87,11 +105,12 @@ void require_fitted(const studies::FilmFit& film, double alpha, const std::strin
                 count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall),
                 sustained_contact(film)));
         case FilmFitOutcome::no_law:
-            throw BadInput(fmt::format(
-                "series '{}': to {} impacts no law could be fitted: the best predicts {:.0f} % of them, "
-                "and they scatter "
-                "about it {:.2g} times as widely as they were measured{}",
-                file, count(KinkUse::used), 100 * film.fit.predicted, film.fit.scatter, sustained_contact(film)));
+            throw BadInput(
+                fmt::format("series '{}': to {} impacts no law could be fitted: the best predicts {:.0f} % of them, "
+                            "and they scatter "
+                            "about it {:.2g} times as widely as they were measured{}{}",
+                            file, count(KinkUse::used), 100 * film.fit.predicted, film.fit.scatter,
+                            inertia_in_words(film.fit, alpha), sustained_contact(film)));
     }
 }
 
@@ -102,8 +121,9 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     FilmReport film;
     film.source = read_film(options);
     exit_when_interrupted();
-    film.film =
-        studies::fit_film(film.source.frames, film.source.period, film.source.scene, film.source.origin, settings);
+    const std::optional<studies::Floor> floor = options.known_floor();
+    film.film = studies::fit_film(film.source.frames, film.source.period, film.source.scene, film.source.origin,
+                                  settings, floor);
     require_fitted(film.film, film.source.scene.alpha, options.series.file);
     film.commands = commands_on(options, film.source, film.film.fit);
     film.simulated = studies::simulated_spin(scene_of(film.source, film.film.fit), film.film);
@@ -117,12 +137,13 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     note_size(report.notes, film);
-    note_drag(report.notes, film.film.drag);
+    note_drag(report.notes, film.film, floor.has_value());
     report.settings = {{"columns", options.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},
                        {"parts", static_cast<std::int64_t>(settings.parts)},
                        {"seed", settings.seed},
-                       {"inertia_factor", film.source.inertia_factor}};
+                       {"inertia_factor", film.source.inertia_factor},
+                       {"floor", options.floor.empty() ? "unknown" : options.floor}};
     report.film = std::move(film);
     return report;
 }

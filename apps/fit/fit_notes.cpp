@@ -49,9 +49,9 @@ void note_constancy(std::vector<std::string>& notes, const analysis::ImpactFit& 
                                         test.error, test.speed));
 }
 
-/// Momentum alone gives another k; of stated errors the balance has to be wider with this one, too, for impacts of
-/// which none changes the spin tell no k.
-bool contradicts(const analysis::ImpactFit& fit, bool stated) {
+}  // namespace
+
+bool contradicts_momentum(const analysis::ImpactFit& fit, bool stated) {
     const double k = fit.inertia.value;
     if (k >= fit.balance.low && k <= fit.balance.high) return false;
     if (!stated) return true;
@@ -61,13 +61,11 @@ bool contradicts(const analysis::ImpactFit& fit, bool stated) {
            wider * analysis::known_inertia(fit.impacts, once, fit.balance.value).scale;
 }
 
-}  // namespace
-
 std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTable& table) {
     std::vector<std::string> notes;
     if (fit.signs.spin < 0 || fit.signs.tangent < 0) notes.push_back(sign_note(fit.signs, table.by_rows));
     const double k = fit.inertia.value;
-    if (k == fit.inertia.low && k == fit.inertia.high && contradicts(fit, table.has_errors))
+    if (k == fit.inertia.low && k == fit.inertia.high && contradicts_momentum(fit, table.has_errors))
         notes.push_back(fmt::format("momentum contradicts inertia = {:g}: it alone gives {:.4g} [{:.4g}, {:.4g}]", k,
                                     fit.balance.value, fit.balance.low, fit.balance.high));
     if (fit.friction_open)

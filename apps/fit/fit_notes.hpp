@@ -13,4 +13,8 @@ namespace swirl::apps::fit {
 /// be told apart, scatter beyond the noise, parameters that depend on a speed, rows left out.
 std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTable& table);
 
+/// Momentum alone gives another k; of stated errors the balance has to be wider with this one, too, for impacts of
+/// which none changes the spin tell no k.
+bool contradicts_momentum(const analysis::ImpactFit& fit, bool stated);
+
 }  // namespace swirl::apps::fit

@@ -1,4 +1,4 @@
-"""What a fit made of a film: measured places and the straight arcs through them, and the spin beside that of the orbit of the
+"""What a fit made of a film: measured places and the arcs through them, straight or bent by a floor's drag, and the spin beside that of the orbit of the
 scene that was found."""
 
 import numpy
@@ -11,6 +11,7 @@ from .symbols import SPIN, TIME
 
 #: More arcs than these lie on one another in the laboratory, and as steps are a solid band.
 _ARCS_OF_PATH, _ARCS_OF_SPIN = 12, 60
+_POINTS_OF_BENT = 9
 
 
 def has_arcs(record):
@@ -37,13 +38,32 @@ def _range(record, look, most):
     return start[shown[0]], end[last]
 
 
+def _moved(record, times, middle, name):
+    """What a velocity of 1 at the arc's middle moves the body by until then, and what the floor carries it by besides."""
+    film = record.attributes("film")
+    drag = film.get("arcs_drag", 0)
+    if not drag:
+        return times - middle, 0 * times
+    factor = drag * film["floor_radius"] / (drag + 1j * film["floor_rate"])
+
+    def carried(at):
+        return factor * numpy.exp(1j * (film["floor_rate"] * at + film["floor_phase"]))
+
+    part = numpy.real if name == "x" else numpy.imag
+    free = -numpy.expm1(-drag * (times - middle)) / drag
+    return free, part(carried(times) - carried(middle) - 1j * film["floor_rate"] * carried(middle) * free)
+
+
 def _lines(record, begin, end, name):
-    """An arc's ends in (time, x) or (time, y), broken between arcs."""
+    """Arcs in (time, x) or (time, y), broken between them."""
     start, stop, middle, place, velocity = (record.column("arcs", of) for of in ("start", "end", "time", name, f"v{name}"))
     kept = overlapping(start, stop, (begin, end))
-    times = numpy.column_stack([start, stop, stop])[kept]
-    places = place[kept, None] + velocity[kept, None] * (times - middle[kept, None])
-    places[:, 2] = numpy.nan
+    points = _POINTS_OF_BENT if record.attributes("film").get("arcs_drag", 0) else 2
+    steps = numpy.append(numpy.linspace(0, 1, points), 1)
+    times = start[kept, None] + (stop - start)[kept, None] * steps
+    free, carried = _moved(record, times, middle[kept, None], name)
+    places = place[kept, None] + velocity[kept, None] * free + carried
+    places[:, -1] = numpy.nan
     return times.ravel(), places.ravel()
 
 

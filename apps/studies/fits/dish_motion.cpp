@@ -171,6 +171,30 @@ void take_step(DishMotion& dish, const Gradient& step, const KinkSpan& span) {
     dish.mark += step[4];
 }
 
+/// The squared differences of neighbours are those of independent numbers (von Neumann's ratio, 4 standard errors).
+bool are_independent(const std::vector<double>& values) {
+    double mean = 0, squares = 0, differences = 0;
+    const auto count = static_cast<double>(values.size());
+    for (const double value : values) mean += value / count;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += (values[i] - mean) * (values[i] - mean);
+        if (i > 0) differences += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
+    }
+    return differences > 2 * squares * (1 - 4 / std::sqrt(count));
+}
+
+/// How widely frames scatter about the wall, in units of their errors: 1 or more, less only if they scatter as noise.
+double scatter_of_frames(Kinks frames, const FilmNoise& noise, const FilmedScene& scene, const DishMotion& dish) {
+    const std::vector<double> gaps = gaps_of(frames, scene, dish);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        values.push_back(
+            gaps[i] /
+            errors_of(frames[i], noise, scene, contact_at(scene, dish, frames[i].time, frames[i].place)).across);
+    const double scatter = scale_of(values);
+    return are_independent(gaps) ? scatter : std::max(1.0, scatter);
+}
+
 /// Gauss–Newton, α as given.
 void refine(Kinks kinks, std::span<const double> weights, const FilmNoise& noise, const FilmedScene& scene,
             DishMotion& dish, int rounds) {
@@ -265,7 +289,7 @@ std::optional<DishMotion> fit_dish(Kinks kinks, const FilmNoise& noise, const Fi
 }
 
 std::optional<SizeFit> size_on_wall(Kinks kinks, const FilmNoise& noise, const FilmedScene& scene,
-                                    const DishMotion& start) {
+                                    const DishMotion& start, OnWall what) {
     constexpr int most_rounds = 30;
     constexpr double settled = 0.01;         // of the error
     constexpr double most_error = 0.004;     // beyond, a few kinks of contact that lasts have been fitted
@@ -279,12 +303,13 @@ std::optional<SizeFit> size_on_wall(Kinks kinks, const FilmNoise& noise, const F
         NormalEquations normal = normal_equations(kinks, {}, noise, sized, dish);
         const auto solver = normal.solver();
         const Gradient step = solver.solve(normal.right);
-        const double error = std::sqrt(solver.solve(Gradient::Unit(5))[5]);
+        double error = std::sqrt(solver.solve(Gradient::Unit(5))[5]);
         take_step(dish, step, span);
         sized.alpha += step[5];
         sized.inertia = shape * sized.alpha * sized.alpha;
         if (!(sized.alpha > 0 && sized.alpha < 1 && std::isfinite(error))) return std::nullopt;
         if (std::abs(step[5]) > settled * error) continue;
+        if (what == OnWall::frames) error *= std::min(1.0, scatter_of_frames(kinks, noise, sized, dish));
         if (normal.wall_scale > most_wall_scale || error > most_error) return std::nullopt;
         return SizeFit{sized.alpha, error};
     }

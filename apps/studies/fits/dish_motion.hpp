@@ -65,12 +65,21 @@ struct SizeFit {
     double alpha = 0, error = 0;
 };
 
+/// What is on the wall.
+enum class OnWall {
+    impacts,  ///< kinks, of known errors
+    frames    ///< frames of a body that stays on it, as kinks without a change; lines through them bend, and their
+              ///< noise is too large
+};
+
 /// The same fit with α free as well, from what is given: a body of another size, or a scale of the film that is wrong,
 /// leaves the kinks off the wall by one distance, which the dish's motion does not take up. The error is in units of
-/// how the kinks scatter. Nothing where α does not settle, where the kinks are scattered about the wall by more than
-/// their errors, where the error is more than 0.004, and of fewer than `fewest_kinks`. O(kinks).
+/// how the kinks scatter where that is more than their errors; of frames also where it is less, if they lie to either
+/// side of the wall independently of the ones before, as noise does. Nothing where α does not settle, where the kinks
+/// are scattered about the wall by more than their errors, where the error is more than 0.004, and of fewer than
+/// `fewest_kinks`. O(kinks).
 std::optional<SizeFit> size_on_wall(std::span<const analysis::Kink> kinks, const FilmNoise& noise,
-                                    const FilmedScene& scene, const DishMotion& dish);
+                                    const FilmedScene& scene, const DishMotion& dish, OnWall what = OnWall::impacts);
 
 /// The same from near by, kink i counted weights[i] times (all once without any).
 DishMotion refined_dish(std::span<const analysis::Kink> kinks, std::span<const double> weights, const FilmNoise& noise,

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
@@ -127,23 +126,17 @@ std::vector<Kink> later_places(std::span<const analysis::FilmFrame> frames) {
     return places;
 }
 
-/// The dish by the frames alone, as if the body stayed on its wall.
+/// The dish, and with it the body's size where it is not known as well, by the frames alone, as if the body stayed on
+/// its wall.
 void look_for_sustained_contact(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
                                 const Vector2d& origin) {
-    const std::optional<DishMotion> dish =
-        fit_dish(later_places(frames), {film.arcs.place_noise, film.arcs.angle_noise}, scene, origin);
-    if (dish) film.frames_off_wall = dish->off_wall;
-}
-
-/// By the impacts or, where these don't tell it, by the frames of a body that stays on the wall.
-std::optional<SizeFit> size_of_body(const FilmFit& film, std::span<const Kink> meeting,
-                                    std::span<const analysis::FilmFrame> frames, const FilmedScene& scene) {
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
-    const auto size = size_on_wall(clear_kinks(film.arcs, meeting, scene, film.dish), noise, scene, film.dish);
-    if (size) return size;
     const std::vector<Kink> places = later_places(frames);
-    const std::optional<DishMotion> dish = fit_dish(places, noise, scene, film.dish.origin);
-    return dish ? size_on_wall(places, noise, scene, *dish) : std::nullopt;
+    const std::optional<DishMotion> dish = fit_dish(places, noise, scene, origin);
+    if (!dish) return;
+    film.frames_off_wall = dish->off_wall;
+    const auto size = size_on_wall(places, noise, scene, *dish, OnWall::frames);
+    if (size && !(film.size && film.size->error < size->error)) film.size = size;
 }
 
 /// Why there is no fit. A body that is near the wall in most frames is on this scene's: the kinks are those of arcs
@@ -161,55 +154,128 @@ FilmFitOutcome without_impacts(FilmFit& film, std::span<const analysis::FilmFram
     return FilmFitOutcome::few_impacts;
 }
 
-FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, analysis::ImpactFitSettings settings) {
-    FilmFit film;
-    film.arcs = analysis::fit_arcs(frames, period);
-    const std::vector<Kink> kinks = analysis::kinks_of(film.arcs);
-    std::vector<Kink> meeting;
-    std::copy_if(kinks.begin(), kinks.end(), std::back_inserter(meeting), lines_meet);
+/// Whether the floor's drag is looked for.
+struct DragSearch {
+    bool sought = true;
+    bool certain = false;        ///< arcs bend by it even where it is not sure
+    std::optional<Floor> floor;  ///< if it is known
+};
+
+std::vector<Kink> meeting_kinks(const analysis::FilmArcs& arcs) {
+    std::vector<Kink> kinks = analysis::kinks_of(arcs);
+    std::erase_if(kinks, [](const Kink& kink) { return !lines_meet(kink); });
+    return kinks;
+}
+
+/// The dish by the kinks of the arcs; false: there are too few.
+bool find_dish(FilmFit& film, const FilmedScene& scene, const Vector2d& origin) {
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
-    const std::optional<DishMotion> dish = fit_dish(meeting, noise, scene, origin);
-    if (!dish) {
-        film.outcome = FilmFitOutcome::few_kinks;
-        look_for_sustained_contact(film, frames, scene, origin);
-        return film;
-    }
+    const std::optional<DishMotion> dish = fit_dish(meeting_kinks(film.arcs), noise, scene, origin);
+    if (!dish) return false;
     film.dish = *dish;
-    settle_dish(film, kinks, noise, scene);
-    film.size = size_of_body(film, meeting, frames, scene);
-    for (const FilmImpact& found : film.impacts) ++film.counts[static_cast<std::size_t>(found.use)];
-    const std::vector<Kink> used = used_kinks(film);
-    if (has_another_size(film, scene, most_size_error))
-        film.outcome = FilmFitOutcome::another_size;
-    else if (used.size() < analysis::fewest_impacts)
-        film.outcome = without_impacts(film, frames, scene, origin);
-    else if (film.dish.off_wall > most_off_wall)
-        film.outcome = FilmFitOutcome::no_wall;
-    if (film.outcome != FilmFitOutcome::fitted) return film;
+    settle_dish(film, analysis::kinks_of(film.arcs), noise, scene);
+    return true;
+}
+
+/// Arcs, dish and drag in turn: the dish is by the arcs' kinks, and the drag moves both.
+bool find_arcs(FilmFit& film, std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+               const Vector2d& origin, const DragSearch& search) {
+    constexpr int rounds = 3;
+    constexpr double settled = 0.3;  // of the drag's error
+    const analysis::FilmArcs straight = film.arcs = analysis::fit_arcs(frames, period);
+    if (!find_dish(film, scene, origin)) return false;
+    for (int round = 0; search.sought && round < rounds; ++round) {
+        film.drag = film_drag(frames, period, straight, scene, film.dish, search.floor);
+        const analysis::DragFit& drag = film.drag.with.drag;
+        if (!drag.surely_drags() && !(search.certain && std::isfinite(drag.value))) break;
+        const bool stays = std::abs(drag.value - film.arcs.drag) < settled * drag.error;
+        film.arcs = film.drag.with.arcs;
+        if (!find_dish(film, scene, film.dish.origin)) return false;
+        if (stays) break;
+    }
+    return true;
+}
+
+/// The used impacts as another drag, larger by its error, makes them.
+std::vector<analysis::MeasuredImpact> with_more_drag(const FilmFit& film, const std::vector<Kink>& used,
+                                                     const FilmedScene& scene) {
+    const analysis::FilmArcs arcs = analysis::with_drag(film.arcs, film.arcs.drag + film.drag.with.drag.error);
+    std::vector<Kink> kinks;
+    for (const Kink& kink : analysis::kinks_of(arcs))
+        if (kinks.size() < used.size() && kink.before == used[kinks.size()].before) kinks.push_back(kink);
+    const FilmNoise noise{arcs.place_noise, arcs.angle_noise};
+    return impacts_at(arcs, kinks, scene, refined_dish(kinks, {}, noise, scene, film.dish));
+}
+
+/// The law by the used impacts.
+void fit_law(FilmFit& film, const std::vector<Kink>& used, const FilmedScene& scene,
+             analysis::ImpactFitSettings settings) {
     settings.inertia = scene.inertia;
     settings.stated_errors = settings.fixed_weights = true;
     settings.rivals_within = common_deviance;
     settings.signs_known = true;  // with another sense of the angle no wall would have been found
+    const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
     const std::vector<analysis::MeasuredImpact> impacts = impacts_at(film.arcs, used, scene, film.dish);
     const std::vector<analysis::AlikeImpacts> groups = fitted_groups(film, groups_of(impacts));
+    std::vector<analysis::MeasuredImpact> dragged;
+    if (film.arcs.drag != 0) dragged = with_more_drag(film, used, scene);
     settings.resampled = [&](std::uint64_t index) {
         const std::vector<double> weights = analysis::bootstrap_weights(used.size(), settings.seed, index);
         constexpr std::uint64_t dish_after = 1ULL << 24;  // beyond the draws for clouds
-        const DishMotion moved = with_common_error(refined_dish(used, weights, noise, scene, film.dish), film, used,
-                                                   scene, analysis::normal_draws(settings.seed, dish_after + index, 0));
-        analysis::WeighedImpacts drawn =
-            analysis::merged_impacts(impacts_at(film.arcs, used, scene, moved), weights, groups);
+        const Vector3d draws = analysis::normal_draws(settings.seed, dish_after + index, 0);
+        const DishMotion moved =
+            with_common_error(refined_dish(used, weights, noise, scene, film.dish), film, used, scene, draws);
+        std::vector<analysis::MeasuredImpact> seen = impacts_at(film.arcs, used, scene, moved);
+        for (std::size_t i = 0; i < dragged.size(); ++i) {
+            seen[i].before += draws[2] * (dragged[i].before - impacts[i].before);
+            seen[i].after += draws[2] * (dragged[i].after - impacts[i].after);
+            seen[i].offset += draws[2] * (dragged[i].offset - impacts[i].offset);
+        }
+        analysis::WeighedImpacts drawn = analysis::merged_impacts(seen, weights, groups);
         analysis::move_clouds(drawn, groups, settings.seed, index);
         return drawn;
     };
     const analysis::WeighedImpacts merged = analysis::merged_impacts(impacts, all_once(used.size()), groups);
     film.fit = analysis::fit_impacts(merged.impacts, impact_laws(), settings);
+}
+
+/// Arcs, dish, impacts and law.
+FilmFit fit_with_size(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+                      const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
+                      const DragSearch& search) {
+    FilmFit film;
+    if (!find_arcs(film, frames, period, scene, origin, search)) {
+        film.outcome = FilmFitOutcome::few_kinks;
+        look_for_sustained_contact(film, frames, scene, origin);
+        return film;
+    }
+    const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
+    film.size =
+        size_on_wall(clear_kinks(film.arcs, meeting_kinks(film.arcs), scene, film.dish), noise, scene, film.dish);
+    if (!film.size) look_for_sustained_contact(film, frames, scene, film.dish.origin);
+    for (const FilmImpact& found : film.impacts) ++film.counts[static_cast<std::size_t>(found.use)];
+    const std::vector<Kink> used = used_kinks(film);
+    if (has_another_size(film, scene, most_size_error)) return film;
+    if (used.size() < analysis::fewest_impacts)
+        film.outcome = without_impacts(film, frames, scene, origin);
+    else if (film.dish.off_wall > most_off_wall)
+        film.outcome = FilmFitOutcome::no_wall;
+    if (film.outcome != FilmFitOutcome::fitted) return film;
+    fit_law(film, used, scene, settings);
     const bool is_fitted = film.fit.outcome == analysis::ImpactFitOutcome::fitted;
     const bool is_unpredicted = settings.resamples > 0 && film.fit.predicted < least_predicted;
     if (is_fitted && !is_unpredicted && !(film.fit.scatter > most_scatter)) return film;
     look_for_sustained_contact(film, frames, scene, origin);
     if (!is_fitted || is_unpredicted || film.frames_off_wall < near_wall) film.outcome = FilmFitOutcome::no_law;
+    return film;
+}
+
+/// A film that is not fitted is one of another size where that is sure at all: no wall is where its impacts are.
+FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings, const DragSearch& search) {
+    FilmFit film = fit_with_size(frames, period, scene, origin, settings, search);
+    const double least = film.outcome == FilmFitOutcome::fitted ? most_size_error : least_size_error;
+    if (has_another_size(film, scene, least)) film.outcome = FilmFitOutcome::another_size;
     return film;
 }
 
@@ -258,6 +324,21 @@ void add_noise_shift(FilmFit& film, const std::vector<FilmFit>& noisier) {
 
 }  // namespace
 
+double unseen_drag_shift(const FilmFit& film) {
+    const analysis::DragFit& drag = film.drag.with.drag;
+    if (film.arcs.drag != 0) return 0;
+    if (std::isnan(drag.value)) return analysis::nan;
+    std::vector<double> times;
+    for (const FilmImpact& impact : film.impacts)
+        if (impact.use == KinkUse::used) {
+            const analysis::FreeArc &before = film.arcs.arcs[impact.kink.before],
+                                    &after = film.arcs.arcs[impact.kink.before + 1];
+            times.push_back((before.end - before.start + after.end - after.start) / 2);
+        }
+    const double most = std::max(0.0, drag.value + analysis::sure_drag * drag.error);
+    return most * analysis::quantile(times, 0.5) * film.fit.restitution.value;
+}
+
 bool has_another_size(const FilmFit& film, const FilmedScene& scene, double least) {
     constexpr double surely = 5;  // standard errors
     if (!film.size) return false;
@@ -266,17 +347,18 @@ bool has_another_size(const FilmFit& film, const FilmedScene& scene, double leas
 }
 
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings) {
-    FilmFit film = fit_once(frames, period, scene, origin, settings);
+                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
+                 std::optional<Floor> floor) {
+    FilmFit film = fit_once(frames, period, scene, origin, settings, {true, false, floor});
     if (film.outcome != FilmFitOutcome::fitted || settings.resamples == 0) return film;
     analysis::ImpactFitSettings values_alone = settings;
     values_alone.resamples = 0;
+    const DragSearch alike{film.arcs.drag != 0, true, film.drag.floor};
     std::vector<FilmFit> noisier;
     for (std::size_t draw = 0; draw < noisier_films; ++draw)
         noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene,
-                                   film.dish.origin, values_alone));
+                                   film.dish.origin, values_alone, alike));
     add_noise_shift(film, noisier);
-    film.drag = film_drag(frames, period, film.arcs, scene, film.dish);
     return film;
 }
 

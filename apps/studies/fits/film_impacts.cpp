@@ -35,7 +35,7 @@ constexpr double unseen = 11;
 
 /// The body is clear of the wall at the middle of the arc.
 bool leaves_wall(const FilmArcs& film, const FreeArc& arc, const FilmedScene& scene, const DishMotion& dish) {
-    const Contact contact = contact_at(scene, dish, arc.mean_time, arc.middle);
+    const Contact contact = contact_at(scene, dish, arc.mean_time, film.place_on(arc, arc.mean_time));
     return contact.gap < -unseen * gap_error(film, scene, 1 / static_cast<double>(arc.count));
 }
 
@@ -56,12 +56,12 @@ analysis::MeasuredImpact measured(const FilmArcs& film, const Kink& kink, const 
     const FreeArc &before = film.arcs[kink.before], &after = film.arcs[kink.before + 1];
     const Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
     analysis::MeasuredImpact impact;
-    impact.before = in_contact_axes(before.velocity, contact.wall, contact.normal);
-    impact.after = in_contact_axes(after.velocity, contact.wall, contact.normal);
+    impact.before = in_contact_axes(kink.velocity_before, contact.wall, contact.normal);
+    impact.after = in_contact_axes(kink.velocity_after, contact.wall, contact.normal);
     impact.offset << contact.normal[0] * contact.offset[1] - contact.normal[1] * contact.offset[0],
         -contact.normal.dot(contact.offset);
-    impact.error_before = noise / std::sqrt(before.spread);
-    impact.error_after = noise / std::sqrt(after.spread);
+    impact.error_before = noise / std::sqrt(before.spread) * before.decay(kink.time);
+    impact.error_after = noise / std::sqrt(after.spread) * after.decay(kink.time);
     // An error along the wall turns the axes, and with the body's own the offset.
     const KinkErrors errors = errors_of(kink, {film.place_noise, film.angle_noise}, scene, contact);
     const double impulse = (impact.after - impact.before).head<2>().norm();
@@ -164,7 +164,7 @@ LabStart<double> start_on(const analysis::FreeArc& arc, const DishMotion& dish) 
 
 std::vector<SpinStep> simulated_spin(const Scene<double>& found, const FilmFit& film) {
     const std::optional<analysis::FreeArc> arc = first_whole_arc(film);
-    if (!arc) return {};
+    if (!arc || film.arcs.drag != 0) return {};
     const double end = (film.arcs.arcs.back().end - arc->mean_time) * film.dish.rate;
     SceneOrbit<double> orbit(found, start_on(*arc, film.dish));
     std::vector<SpinStep> steps = {{arc->mean_time, arc->velocity[2]}};

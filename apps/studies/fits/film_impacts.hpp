@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/fits/fit_impacts.hpp"
-#include "analysis/fits/floor_drag.hpp"
 #include "apps/studies/fits/dish_motion.hpp"
+#include "apps/studies/fits/film_drag.hpp"
 #include "map/model/scene.hpp"
 
 #include <array>
@@ -60,7 +60,7 @@ std::vector<analysis::MeasuredImpact> impacts_at(const analysis::FilmArcs& film,
 
 enum class FilmFitOutcome {
     fitted,
-    another_size,  ///< the body is of another α, by `most_size_error` or more
+    another_size,  ///< the body is of another α, by `most_size_error` or, of a film that can't be fitted, at all
     few_kinks,     ///< fewer than `fewest_kinks`
     no_wall,       ///< kinks are scattered about no wall of this scene: `off_wall` beyond `most_off_wall`
     few_impacts,   ///< fewer than `analysis::fewest_impacts` can be used, also of a body that stays on the wall
@@ -81,10 +81,15 @@ struct FilmFit {
     double frames_off_wall = analysis::nan;  ///< of few kinks or impacts: robust standard deviation of the later frames
     double restitution_shift = 0, friction_shift = 0;  ///< of the fits of noisier films, in the mean
     std::size_t noisier = 0;                           ///< of these films those that could be fitted
-    analysis::DragFit drag;                            ///< of the floor, see film_drag()
-    std::optional<SizeFit> size;                       ///< of the body, see size_on_wall()
+    FilmDrag drag;  ///< of the floor; where it is sure arcs bend by it (arcs.drag), else they are straight
+    std::optional<SizeFit> size;  ///< of the body, see size_on_wall()
     analysis::ImpactFit fit;
 };
+
+/// What a drag at the upper end of its interval (95 %) would add to e of straight arcs: some γτe, τ the used impacts'
+/// median flight; straight arcs have the velocities of their middles, too fast before an impact and too slow after it.
+/// 0 where arcs bend, NaN where the drag can't be told.
+double unseen_drag_shift(const FilmFit& film);
 
 /// The body has surely (5 errors) another α than the scene's, by `least` or more.
 bool has_another_size(const FilmFit& film, const FilmedScene& scene, double least);
@@ -119,10 +124,13 @@ inline constexpr std::size_t noisier_films = 3;
 /// (errors before the impact, kinks that are missed, contacts that are turned) grows as its square: films with as much
 /// noise again, of the same covariance, are fitted alike, and the intervals are longer by the mean shift of e and μ,
 /// towards where it came from (SIMEX: Cook & Stefanski, J. Am. Stat. Assoc. 89 (1994) 1314). If they come to another
-/// minimum, the interval holds that, too. Frames: times in 1/ω_s (or nearly: the rate is fitted), lengths in R_c.
-///   period  of the angle
+/// minimum, the interval holds that, too. A floor's drag that is sure (DragFit::surely_drags) bends the arcs, and its
+/// error moves the impacts of resamples; one that is not is left out of all, as a floor without one. Frames: times in
+/// 1/ω_s (or nearly: the rate is fitted), lengths in R_c.
+///   period  of the angle;   floor  on which the body moves, if it is known, see film_drag()
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings);
+                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
+                 std::optional<Floor> floor = {});
 
 // The orbit of the scene that a film tells, from a place of the film on.
 

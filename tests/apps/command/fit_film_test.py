@@ -3,8 +3,11 @@
 --all: also what takes longer. --coverage: 20 scenes at 30 and 120 frames a second, noise of 0.1 to 1 % of R_c, 1 to 10 minutes;
 how often the truth lies in the 95 % intervals. FITS of them, 60 unless given, of films whose seeds follow SEED."""
 
+import cmath
 import json
+import math
 import random
+import re
 import sys
 import time
 import unittest
@@ -33,13 +36,50 @@ FEW = "--resamples 40"
 LONG = unittest.skipUnless(ALL, "takes longer: --all")
 
 
-def filmed(path, shape=SHAPE, mu=0.2, e=0.7, seconds=60, frames=30, noise=0.003, more=""):
-    """The body swirled once a second; lengths in R_c."""
+def motion(shape, mu, e, seconds):
+    """Flags of the body swirled once a second; lengths in R_c."""
     shape = shape.replace("--alpha", "--polygon-radius").replace("--beta", "--swirl-radius")
-    result = run(f"simulate {shape} --container-radius 1 --swirl-rate {RATE} --mu {mu} --restitution {e} "
-                 f"--time {seconds} --camera {frames} --noise {noise} --speed 1 --quiet --force {more} -o {path}")
+    return (f"simulate {shape} --container-radius 1 --swirl-rate {RATE} --mu {mu} --restitution {e} --time {seconds} "
+            "--speed 1 --quiet")
+
+
+def filmed(path, shape=SHAPE, mu=0.2, e=0.7, seconds=60, frames=30, noise=0.003, more=""):
+    result = run(f"{motion(shape, mu, e, seconds)} --camera {frames} --noise {noise} --force {more} -o {path}")
     assert result.returncode in (0, 3), result.stderr
     return path
+
+
+def reaches(scene, impact, time):
+    """How far the vertices reach beyond the wall so long after an impact, the farthest first; of a disk one."""
+    sides, alpha, beta, _, _ = scene
+    place = complex(impact["x"] + impact["vx"] * time, impact["y"] + impact["vy"] * time) - cmath.rect(beta, impact["t"] + time)
+    if sides == "disk":
+        return [abs(place) + alpha - 1, -1]
+    angle = impact["angle"] + impact["spin"] * time
+    return sorted((abs(place + cmath.rect(alpha, angle + 2 * math.pi * k / sides)) - 1 for k in range(sides)), reverse=True)
+
+
+def clear_impacts(scene, seconds, frames, noise, seed):
+    """Impacts of the true orbit between two flights of four frames or more, each clear of the wall in its middle by 1.5 times
+    what the fit asks for (11 errors of the mean of its frames), at which the next vertex is clear of it by 1.5 times 4 errors
+    of a place from both flights, 2 σ²/n."""
+    sides, alpha, beta, mu, e = scene
+    shape = f"--sides {sides} --alpha {alpha} --beta {beta}"
+    result = run(f"{motion(shape, mu, e, seconds)} --seed {seed} --json")
+    orbit = json.loads(result.stdout)
+    impacts = orbit["collisions"]
+    lasting = iter(orbit["contacts"] + [{"t_start": math.inf}])
+    contact, flights = next(lasting), []
+    for before, after in zip(impacts, impacts[1:]):
+        time = after["t"] - before["t"]
+        while contact["t_start"] < before["t"]:
+            contact = next(lasting)
+        count = time * frames / (2 * math.pi)
+        error = noise * (1 if sides == "disk" else 3 ** 0.5) / max(count, 1) ** 0.5
+        clear = contact["t_start"] > after["t"] and count >= 4 and -reaches(scene, before, time / 2)[0] > 1.5 * 11 * error
+        flights.append((clear, error))
+    return sum(before and after and -reaches(scene, impact, 0)[1] > 1.5 * 4 * 2 ** 0.5 * max(error, next_error)
+               for impact, (before, error), (after, next_error) in zip(impacts[1:], flights, flights[1:]))
 
 
 class OfFilms(InFolder):
@@ -62,6 +102,8 @@ class Truth(OfFilms):
         self.assertLess(found["friction"]["high"] - found["friction"]["low"], 0.03)
         self.holds(found["drag"], 0)
         self.assertLess(found["drag"]["high"] - found["drag"]["low"], 0.03)
+        self.assertEqual((found["film"]["arcs_drag"], found["drag"]["floor"], found["drag"]["floor_decided"]),
+                         (0, "dish", False))
         film = found["film"]
         self.assertLess(abs(film["alpha_on_wall"] - 0.4), 4 * film["alpha_on_wall_error"])
         self.assertAlmostEqual(film["place_noise"], 0.003, delta=0.0003)
@@ -103,16 +145,45 @@ class Truth(OfFilms):
         self.assertEqual(far.returncode, 2, far.stdout)
         self.assertRegex(far.stderr, r"lies on the wall with alpha = 0\.(399|400|401)\d* \+- \S+, not with 0\.36")
 
+    def test_the_size_of_a_disk_that_stays_on_the_wall_is_told(self):
+        shape = "--sides disk --alpha 0.4 --beta 0.5"
+        path = filmed(self.folder / "film.csv", shape, e=0.8, seconds=20)
+        fit = f"fit --series {path} {MARKS} --swirl-rate 1Hz {FEW} --beta 0.5 --sides disk"
+        for given, where in (("0.398", "leaves it clear of the wall by"), ("0.402", "puts it beyond the wall by")):
+            result = run(f"{fit} --alpha {given}")
+            self.assertEqual(result.returncode, 2, result.stdout)
+            told = re.search(rf"lies on the wall with alpha = (\S+) \+- (\S+), not with {given}, which {where} (\S+) R_c",
+                             result.stderr)
+            self.assertIsNotNone(told, result.stderr)
+            alpha, error, clearance = map(float, told.groups())
+            self.assertLess(abs(alpha - 0.4), 4 * error)
+            self.assertLess(error, 0.0004)
+            self.assertAlmostEqual(clearance, abs(alpha - float(given)), delta=0.0001)
+            self.assertIn("stays on the wall", result.stderr)
+        right = run(f"{fit} --alpha 0.4")
+        self.assertEqual(right.returncode, 2, right.stdout)
+        self.assertIn("stays on the wall", right.stderr)
+        self.assertNotIn("not with", right.stderr)
+
     @LONG
     def test_an_inertia_that_is_not_the_body_s_is_told(self):
         shape = "--sides 6 --alpha 0.3 --beta 0.1"
-        film = dict(shape=shape, mu=0.1, e=1.0, seconds=120, noise=0.001)
-        found = self.found(**film, more="--inertia-factor 0.7")
-        self.assertTrue(any("momentum contradicts inertia" in note for note in found["notes"]), found["notes"])
-        path = self.folder / "film.csv"
-        told = document(f"fit --series {path} {MARKS} {shape} --swirl-rate 1Hz --inertia-factor 0.7 {FEW}")
-        self.assertFalse(any("momentum contradicts" in note for note in told["notes"]), told["notes"])
-        self.holds(told["friction"], 0.1)
+        film = dict(shape=shape, mu=0.1, e=1.0, seconds=120, noise=0.001, more="--inertia-factor 0.7")
+        path = filmed(self.folder / "film.csv", **film)
+        fit = f"fit --series {path} {MARKS} {shape} --swirl-rate 1Hz {FEW}"
+        lamina = run(fit)  # 0.417: no law describes the impacts
+        self.assertEqual(lamina.returncode, 2, lamina.stdout)
+        told = re.search(r"momentum contradicts I/m = \S+ kappa = 0\.4167: it alone gives kappa = (\S+) \[(\S+), (\S+)\] "
+                         r"\(--inertia-factor\)", lamina.stderr)
+        self.assertIsNotNone(told, lamina.stderr)
+        value, low, high = map(float, told.groups())
+        self.assertAlmostEqual(value, 0.7, delta=0.01)
+        self.assertTrue(low <= 0.7 <= high, told.groups())
+        near = document(f"{fit} --inertia-factor 0.68")
+        self.assertTrue(any("momentum contradicts inertia" in note for note in near["notes"]), near["notes"])
+        right = document(f"{fit} --inertia-factor 0.7")
+        self.assertFalse(any("momentum contradicts" in note for note in right["notes"]), right["notes"])
+        self.holds(right["friction"], 0.1)
 
 
 class Outputs(OfFilms):
@@ -171,6 +242,8 @@ class WrongInput(Refusing):
         self.refused(f"{film} {MARKS} {SHAPE} --inertia 0.1", "--inertia-factor")
         self.refused(f"{film} {MARKS} {SHAPE} --each frame", "--where")
         self.refused(f"fit --impacts {path} --alpha 0.4", "--series")
+        self.refused(f"{film} {MARKS} {SHAPE} --floor ice", "floor")
+        self.refused(f"fit --impacts {path} --floor dish", "--series")
         self.refused(f"{film} {MARKS} --sides 6 --alpha 0.4 --beta 0.1 --swirl-rate 1Hz", "wall")
 
 
@@ -188,7 +261,8 @@ class Coverage(OfFilms):
         inside, told, refused, slowest = {"restitution": 0, "friction": 0}, 0, 0, 0
         drags, alphas = [], []
         for fit in range(FITS):
-            sides, alpha, beta, mu, e = SCENES[fit % len(SCENES)]
+            scene = SCENES[fit % len(SCENES)]
+            sides, alpha, beta, mu, e = scene
             shape = f"--sides {sides} --alpha {alpha} --beta {beta}"
             frames, noise = draw.choice((30, 120)), draw.choice((0.001, 0.003, 0.01))
             minutes = draw.choice((1, 2, 4, 10)) if frames == 30 else draw.choice((1, 2))
@@ -200,7 +274,12 @@ class Coverage(OfFilms):
             self.assertIn(result.returncode, (0, 2), result.stderr)
             if result.returncode == 2:  # too few impacts, contact that lasts: it says so
                 refused += 1
-                print(f"{shape} mu {mu} e {e}, {minutes} min, {frames} frames, noise {noise}: {result.stderr.strip()[:150]}", flush=True)
+                clear = clear_impacts(scene, 60 * minutes, frames, noise, SEED + fit)
+                what = (f"{shape} mu {mu} e {e}, {minutes} min, {frames} frames, noise {noise}: {clear} clear impacts; "
+                        f"{result.stderr.strip()[:150]}")
+                print(what, flush=True)
+                # Eight are needed, and of clear ones half are used at least (two impacts may lie within a few frames).
+                self.assertLess(clear, 16, what)
                 continue
             found = json.loads(result.stdout)
             told += found["friction"]["high"] is not None
@@ -216,7 +295,6 @@ class Coverage(OfFilms):
         done = FITS - refused
         print(f"{FITS} films, {refused} refused; inside: {inside} of {done}; mu is told in {told}; the slowest took {slowest:.1f} s")
         print(f"the drag, 0: inside in {sum(drags)} of {len(drags)}; alpha is not said to be another in {sum(alphas)} of {len(alphas)}")
-        self.assertLess(refused, 0.25 * FITS)
         self.assertGreaterEqual(sum(drags), 0.85 * len(drags))
         self.assertGreaterEqual(sum(alphas), 0.95 * len(alphas))
         # 95 % of 45: below 0.85 less often than once in a hundred times.

@@ -8,6 +8,7 @@
 #include "apps/completion/completion_command.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "apps/describe/describe_command.hpp"
+#include "apps/explore/explore_command.hpp"
 #include "apps/fit/fit_command.hpp"
 #include "apps/inspect/inspect_command.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
@@ -74,6 +75,8 @@ void add_commands(Program& program) {
     program.add_command<plot::PlotOptions>("plot", "a figure of a record", plot::plot_details, plot::plot);
     program.add_command<animate::AnimateOptions>("animate", "a film of an orbit", animate::animate_details,
                                                  animate::animate);
+    program.add_command<explore::ExploreOptions>("explore", "a page of a record, in which the map runs",
+                                                 explore::explore_details, explore::explore);
     program.add_command<notebook::NotebookOptions>("notebook", "a notebook of a record, executed",
                                                    notebook::notebook_details, notebook::notebook);
     program.add_command<tour::TourOptions>("tour", "name the modes of a built-in set of scenes", tour::tour_details,

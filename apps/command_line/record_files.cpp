@@ -75,15 +75,16 @@ std::string suffix_of(const std::string& file) {
 }
 
 void require_record_name(const OutputOptions& output) {
-    constexpr std::array<std::array<const char*, 3>, 9> others = {{{".png", "plot", "-o"},
-                                                                   {".svg", "plot", "-o"},
-                                                                   {".pdf", "plot", "-o"},
-                                                                   {".jpg", "plot", "-o"},
-                                                                   {".gif", "animate", "-o"},
-                                                                   {".mp4", "animate", "-o"},
-                                                                   {".webm", "animate", "-o"},
-                                                                   {".ipynb", "notebook", "-o"},
-                                                                   {".csv", "show", "--csv"}}};
+    constexpr std::array<std::array<const char*, 3>, 10> others = {{{".png", "plot", "-o"},
+                                                                    {".svg", "plot", "-o"},
+                                                                    {".pdf", "plot", "-o"},
+                                                                    {".jpg", "plot", "-o"},
+                                                                    {".gif", "animate", "-o"},
+                                                                    {".mp4", "animate", "-o"},
+                                                                    {".webm", "animate", "-o"},
+                                                                    {".ipynb", "notebook", "-o"},
+                                                                    {".html", "explore", "-o"},
+                                                                    {".csv", "show", "--csv"}}};
     const std::string suffix = suffix_of(output.record);
     for (const auto& [other, command, flag] : others)
         if (suffix == other)

@@ -109,10 +109,26 @@ class Page {
     }
   }
 
+  /** Of the place beneath the mouse, or of that nearest to the scene: never of a scene that the record does not have. */
   showCell(place) {
-    const words = this.figure.words(place || this.state);
-    byId("cell").textContent = words ? `${place ? "Here" : "The record where you are"}: ${words}` : "";
+    const words = place ? this.figure.words(place) : this.nearestInRecord();
+    byId("cell").textContent = words ? `${place ? "Here" : "Nearest in the record"}: ${words}` : "";
     if (!place) byId("recorded").replaceChildren(...(words ? [tag("the record"), ` ${words}`] : []));
+  }
+
+  nearestInRecord() {
+    const beyond = this.figure.axes.filter((axis) => {
+      const place = axis.along(this.state[axis.name]);
+      return place < axis.edges[0] || place > axis.edges[axis.edges.length - 1];
+    });
+    if (beyond.length) return `none: ${beyond.map(({ name }) => symbolOf(name)).join(" and ")} is outside its range`;
+    const words = this.figure.words(this.state);
+    const drawn = Object.fromEntries((this.figure.sweep ? this.figure.sweep.others : [])
+      .map((axis) => [axis.name, axis.values[this.figure.sweep.at[axis.name]]]));
+    const ofRecord = { ...this.scenes, ...drawn }, shown = this.figure.axes.map(({ name }) => name);
+    const others = Object.keys(SCENE_NUMBERS).filter((name) => !shown.includes(name) && this.state[name] !== ofRecord[name]);
+    if (!words || !others.length) return words;
+    return `with ${others.map((name) => `${symbolOf(name)} = ${shortNumber(ofRecord[name])}`).join(", ")}: ${words}`;
   }
 
   showScene() {

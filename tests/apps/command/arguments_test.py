@@ -125,7 +125,7 @@ class Arguments(InFolder):
         self.refused("help classify sweep", "one command")
 
     def test_a_record_is_no_figure(self):
-        for suffix, command in (("png", "plot"), ("mp4", "animate"), ("ipynb", "notebook")):
+        for suffix, command in (("png", "plot"), ("mp4", "animate"), ("ipynb", "notebook"), ("html", "explore")):
             for line in (f"simulate {SCENE}", f"sweep {SCENE} --grid mu=0.1:0.2:2", f"bifurcate {SCENE} --along beta=0.4:0.6:2"):
                 self.refused(f"{line} -o map.{suffix}", f"map.{suffix}", f"swirl {command} FILE.h5")
 

@@ -104,7 +104,7 @@ class InHalfASecond(Ending):
         listed = set(re.findall(r"^  ([a-z]+) ", run("--help").stdout, re.M))
         tried = {command.split()[0] for command in COMMANDS}
         # Over at once; what Python does, animate and notebook, has tests of its own.
-        self.assertEqual(listed - tried, {"describe", "show", "plot", "tour", "join", "animate", "notebook", "inspect", "manual", "completion"})
+        self.assertEqual(listed - tried, {"describe", "show", "plot", "tour", "join", "animate", "notebook", "inspect", "manual", "completion", "explore"})
 
     def test_signals_but_sigint(self):
         for number in (signal.SIGTERM, signal.SIGHUP):

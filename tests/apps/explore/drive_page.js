@@ -1,0 +1,147 @@
+// drive_page.js MAP.html DIAGRAM.html FOLDER: clicks, drags, keys and links of the page in chromium, at 1280 and at 400 pixels;
+// what it draws, how fast, and that it asks for nothing from outside. Screenshots go to FOLDER.
+"use strict";
+
+const assert = require("node:assert/strict");
+const path = require("node:path");
+const { pathToFileURL } = require("node:url");
+const { open } = require("./browser.js");
+
+const wait = (seconds) => new Promise((done) => setTimeout(done, 1000 * seconds));
+const READY = "window.swirlPage !== undefined && document.getElementById('verdict').textContent !== ''";
+
+/** Share of a canvas that is not white. */
+const inked = (id) => `(() => { const c = document.getElementById("${id}"), p = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+  let n = 0; for (let i = 0; i < p.length; i += 4) n += p[i] + p[i + 1] + p[i + 2] < 740; return n / (p.length / 4); })()`;
+const text = (id) => `document.getElementById("${id}").textContent`;
+
+function nothingFromOutside(page) {
+  const asked = page.events.filter(({ method }) => method === "Network.requestWillBeSent").map(({ params }) => params.request.url);
+  assert.deepEqual(asked.filter((url) => !/^(file|data):/.test(url)), []);
+  const failed = page.events.filter(({ method }) => method === "Runtime.exceptionThrown" || method === "Log.entryAdded");
+  assert.deepEqual(failed.map(({ params }) => JSON.stringify(params).slice(0, 300)), []);
+}
+
+async function explore(map) {
+  const page = await open(pathToFileURL(map), 1280, 1000);
+  try {
+    await page.until(READY);
+    const paint = await page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime");
+    assert.ok(paint <= 1000, `first picture after ${paint} ms`);
+    assert.ok(await page.evaluate("document.documentElement.scrollWidth <= innerWidth"));
+    await wait(1.5);
+    for (const id of ["figure", "dish", "section", "spin"]) assert.ok(await page.evaluate(inked(id)) > 0.001, `${id} is empty`);
+
+    // A click takes a place of the map, and a drag the places on its way.
+    await page.click("figure", 0.3, 0.3);
+    const clicked = await page.evaluate("({ ...swirlPage.state })");
+    await page.click("figure", 0.7, 0.3);
+    const other = await page.evaluate("({ ...swirlPage.state })");
+    assert.ok(other.alpha > clicked.alpha && Math.abs(other.beta - clicked.beta) < 1e-9, JSON.stringify([clicked, other]));
+    const from = await page.at("figure", 0.5, 0.6), to = { x: from.x, y: from.y - 80 };
+    await page.mouse("mousePressed", from, 1);
+    await page.mouse("mouseMoved", to, 1);
+    await page.mouse("mouseReleased", to);
+    assert.ok(await page.evaluate("swirlPage.state.beta") > 0.4);
+
+    // What the record has beneath the mouse, in words.
+    await page.mouse("mouseMoved", await page.at("figure", 0.9, 0.5));
+    assert.match(await page.evaluate(text("cell")), /^Here: α = 0\.\d+, β = 0\.\d+: .* of the starts/);
+
+    // Keys: the figure's arrows go to cells, space stops, "." makes one impact.
+    await page.evaluate("document.getElementById('figure').focus()");
+    const before = await page.evaluate("swirlPage.state.alpha");
+    await page.key("ArrowRight");
+    assert.ok(await page.evaluate("swirlPage.state.alpha") > before);
+    assert.ok(await page.evaluate("swirlPage.figure.axes[0].values.includes(swirlPage.state.alpha)"));
+    await page.key(" ", " ");
+    assert.equal(await page.evaluate("swirlPage.running"), false);
+    const impacts = await page.evaluate("swirlPage.orbit.evidence.count");
+    for (let i = 0; i < 4; ++i) await page.key(".", ".");
+    assert.ok(await page.evaluate("swirlPage.orbit.evidence.count") >= impacts + 3);
+
+    // The address holds the state: a page that is opened with it has the same scene.
+    await page.evaluate("swirlPage.enter('mu', 0.31)");
+    const link = await page.evaluate("document.getElementById('link').href");
+    assert.match(link, /mu=0\.31/);
+    await page.send("Page.navigate", { url: "about:blank" });
+    await page.send("Page.navigate", { url: link });
+    await page.until(READY);
+    assert.equal(await page.evaluate("swirlPage.scene.mu"), 0.31);
+
+    // The record says nothing of a scene that it does not have.
+    assert.match(await page.evaluate(text("recorded")), /^the record with μ = 0\.5: /);
+    await page.evaluate("swirlPage.change({ alpha: 0.9 })");
+    assert.equal(await page.evaluate(text("recorded")), "the record none: α is outside its range");
+
+    // A steady scene settles, and the verdict says what was seen.
+    await page.evaluate("swirlPage.change({ alpha: 0.5181818181818182, beta: 0.5444444444444444, mu: 0.5 }); swirlPage.setPace('0'); swirlPage.setRunning(true)");
+    await page.until("/recur/.test(document.getElementById('verdict').textContent)", 120);
+    assert.match(await page.evaluate(text("verdict")), /^steady: the last 32 impacts recur to 1e−9$/);
+    // A chaotic one does not, and is not called so.
+    await page.evaluate("swirlPage.change({ alpha: 0.3, beta: 0.1 })");
+    await wait(4);
+    assert.match(await page.evaluate(text("verdict")), /^not settled after [\d,]+ impacts$/);
+    const { frames, impacts: rate } = await page.evaluate("swirlPage.speeds");
+    console.log(`chaos: first picture ${Math.round(paint)} ms, ${frames.toFixed(1)} frames and ${Math.round(rate)} impacts a second`);
+    await page.screenshot(path.join(process.argv[4], "map-1280.png"));
+    await named(page);
+    nothingFromOutside(page);
+    return { frames, rate };
+  } finally {
+    await page.close();
+  }
+}
+
+/** All that can be reached has a name for a reader of screens. */
+async function named(page) {
+  const { nodes } = await page.send("Accessibility.getFullAXTree");
+  const roles = new Set(["button", "combobox", "slider", "spinbutton", "link", "application", "image"]);
+  const reached = nodes.filter(({ role, ignored }) => !ignored && role && roles.has(role.value));
+  assert.ok(reached.length > 15, `${reached.length} elements`);
+  const nameless = reached.filter(({ name }) => !name || !name.value);
+  assert.deepEqual(nameless.map(({ role }) => role.value), []);
+}
+
+async function narrow(file, shot) {
+  const page = await open(pathToFileURL(file), 400, 800);
+  try {
+    await page.until(READY);
+    await wait(2);
+    assert.ok(await page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "wider than a telephone");
+    await page.screenshot(path.join(process.argv[4], shot));
+    nothingFromOutside(page);
+  } finally {
+    await page.close();
+  }
+}
+
+async function diagram(file) {
+  const page = await open(pathToFileURL(file), 1280, 1000);
+  try {
+    await page.until(READY);
+    await page.click("figure", 0.5, 0.5);
+    assert.ok(Math.abs(await page.evaluate("swirlPage.scene.alpha") - 0.38) < 0.01);
+    await page.evaluate("swirlPage.setPace('100')");
+    await wait(3);
+    assert.match(await page.evaluate(text("recorded")), /^the record α = 0\.\d+: steady, ⟨S⟩ = −1\.\d+/);
+    await page.screenshot(path.join(process.argv[4], "diagram-1280.png"));
+    nothingFromOutside(page);
+  } finally {
+    await page.close();
+  }
+}
+
+async function main() {
+  const { frames, rate } = await explore(process.argv[2]);
+  await narrow(process.argv[2], "map-400.png");
+  await diagram(process.argv[3]);
+  await narrow(process.argv[3], "diagram-400.png");
+  assert.ok(frames >= 30, `${frames} frames a second`); // 60 on a machine that does nothing else
+  assert.ok(rate >= 1e5, `${rate} impacts a second`);
+}
+
+main().catch((error) => {
+  console.error(error);
+  process.exit(1);
+});

@@ -46,6 +46,7 @@ const char* const path_through_commands =
   simulate -> classify -> sweep    one orbit; its mode; the modes over parameters
   orbits -> continue -> bifurcate  cycles; their branches over a parameter; attractors and branches
   plot, animate, notebook          the figure, film or notebook of any record (-o FILE.h5)
+  explore                          a page of a sweep or a diagram, in which the map runs
 `swirl COMMAND --help` (or `swirl help COMMAND`) ends with an example that runs. `swirl tour` names the modes of built-in
 scenes.)";
 

@@ -256,6 +256,8 @@ PageData page_data(const std::vector<std::string>& files) {
     std::vector<std::string> kinds;
     for (const std::string& file : files) {
         records.emplace_back(file);
+        if (records.back().contains("/shard"))
+            throw BadInput(fmt::format("record '{}' is a shard of a sweep: swirl join makes one record of all", file));
         kinds.push_back(kind_of(records.back()));
         if (kinds.back().empty())
             throw BadInput(

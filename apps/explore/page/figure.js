@@ -33,7 +33,7 @@ class RecordFigure {
   /** What the ordinate is where there is one parameter alone. */
   get ordinate() {
     if (this.sweep) return "⟨S⟩ of each start";
-    return this.diagram.observable === "S" ? SPIN_LABEL : this.diagram.observable;
+    return SECTION_LABELS[this.diagram.observable] || this.diagram.observable;
   }
 
   resize() {
@@ -117,7 +117,7 @@ class RecordFigure {
 
   drawDiagram() {
     const { figure, diagram } = this;
-    figure.dots(diagram.dots, "rgba(34, 34, 34, 0.45)", diagram.dots.length > 20000 ? 1 : 1.6);
+    figure.dots(diagram.dots, "rgba(34, 34, 34, 0.45)", diagram.dots.length > 20000 ? 1 : diagram.dots.length > 2000 ? 1.6 : 3);
     for (const { x, y, stable } of diagram.lines)
       figure.line(x.map((value, i) => [value, y[i]]), OWN, stable ? 1.8 : 0.8, stable ? [] : [4, 3]);
     for (const { x, y, kind } of diagram.marks) {

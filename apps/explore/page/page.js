@@ -92,7 +92,8 @@ class Page {
 
   describe() {
     const [first] = this.data.records, { record } = first;
-    const kinds = { map: "Modes across parameters", diagram: "Attractors over one parameter", curves: "Bifurcation curves" };
+    const kinds = { map: "Modes across parameters", diagram: record.command === "continue" ? "Branches over one parameter"
+      : "Attractors over one parameter", curves: "Bifurcation curves" };
     const body = this.scenes.sides === "disk" ? "a disk" : `a polygon of ${this.scenes.sides} sides`;
     document.title = `${kinds[first.kind]} · Swirl`;
     byId("title").textContent = `${kinds[first.kind]}: ${this.axisOf("sides") ? "bodies" : body} in a swirled dish`;
@@ -208,6 +209,7 @@ class Page {
     this.running = running;
     byId("play").textContent = running ? "Stop" : "Run";
     byId("play").setAttribute("aria-pressed", String(running));
+    byId("evidence").setAttribute("aria-live", running ? "off" : "polite"); // while it runs it changes ten times a second
     this.dirty = true;
   }
 

@@ -16,7 +16,8 @@ const NAMES = {
   angle: ["angle", "angle at the start, in radians"],
   spin: ["S", "S at the start"],
 };
-const SPIN_LABEL = "S = ω_p/ω_s, just after each impact";
+const SECTION_LABELS = Object.fromEntries(Object.entries({ S: "S = ω_p/ω_s", psi: "ψ", chi: "χ", vn: "v_n/(R_c ω_s)",
+  vt: "v_t/(R_c ω_s)" }).map(([name, label]) => [name, `${label}, just after each impact`]));
 const OF_SCENE = ["sides", "law", "alpha", "beta", "mu", "restitution", "inertia_factor"];
 const OF_START = ["x", "y", "vx", "vy", "angle", "spin", "speed"];
 const MODE_COLOURS = { steady: "#00406B", "quasi-steady": "#F0E442", chaotic: "#D55E00", undecided: "#BDBDBD" };
@@ -252,10 +253,11 @@ class Diagram {
     return lines;
   }
 
+  /** What orbits came to at the nearest value; nothing of a record of branches alone. */
   words(place) {
+    if (!this.shares || !this.columns) return "";
     const column = this.axis.cellAt(this.axis.along(place)), x = this.axis.values[column];
     const where = `${symbolOf(this.axis.name)} = ${this.axis.text(x)}`;
-    if (!this.shares || !this.columns) return where;
     const { mode, period, mean_S, share } = this.shares, rows = [];
     this.shares.column.values.forEach((of, i) => {
       if (this.columns.parameter.values[of] !== x) return;

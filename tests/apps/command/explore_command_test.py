@@ -24,6 +24,7 @@ RECORDS = {
     "continue": "continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 "
                 "--along beta=0.49:0.51",
     "curves": "boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 1 --lines 1",
+    "shard": f"sweep --sides 6 --mu 0.5 --restitution 0.9 --grid alpha=0.3:0.5:2 --grid beta=0.3:0.5:2 --shard 1/2 {SHORT}",
     "orbit": "simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 5",
 }
 
@@ -154,6 +155,7 @@ class WrongInput(WithRecords):
         self.refused([self.folder / "missing.h5", "-o", page], "missing.h5")
         self.refused([text, "-o", page], "text.h5", "HDF5")
         self.refused([self.records["orbit"], "-o", page], "orbit.h5", "sweep, join, bifurcate, continue, boundaries")
+        self.refused([self.records["shard"], "-o", page], "shard.h5", "join")
         self.refused([sweep, self.records["diagram"], "-o", page], "diagram.h5", "boundaries")
         self.refused([curves, curves, "-o", page], "curves.h5", "sweep")
         self.refused([self.records["words"], curves, "-o", page], "alpha and beta")

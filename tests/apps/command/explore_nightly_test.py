@@ -1,5 +1,6 @@
 """swirl explore's map and page at length: explore_nightly_test.py SWIRL ROOT"""
 
+import ctypes
 import hashlib
 import json
 import os
@@ -27,6 +28,16 @@ ORBITS = [(6, 0.4, 0.5, 0.5, 0.9, "poisson", 1, 100_000), (6, 0.3, 0.1, 0.5, 0.9
 OF_THE_MAP = {"t", "S", "vertex", "vn", "vt", "flightTime", "p", "q"}
 #: Their own rounding, and that of a product or two with them: 1 ulp in either library, 4 in all.
 MOST_ULPS = 4
+
+
+def cube_root(x):
+    library = ctypes.CDLL("libm.so.6")
+    library.cbrt.restype, library.cbrt.argtypes = ctypes.c_double, [ctypes.c_double]
+    return library.cbrt(x)
+
+
+#: By glibc up to 2.42, whose number the page's map has; rounded correctly they end in 5 and 79.
+USUAL_CUBE_ROOTS = {2 / 7: 0.65863375600834939, 3 / 7: 0.75394744112915368}
 
 
 class WithPage(InFolder):
@@ -61,6 +72,7 @@ class MapNightly(WithPage):
         self.assertEqual(len(results), len(orbits))
         return list(zip(orbits, results))
 
+    @unittest.skipUnless(all(cube_root(x) == root for x, root in USUAL_CUBE_ROOTS.items()), "this C library has another cbrt")
     def test_orbits_are_the_programs_to_the_last_bit(self):
         for orbit, found in self.compared(ORBITS):
             with self.subTest(orbit):

@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace swirl::apps::explore {
 

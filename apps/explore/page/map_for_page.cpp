@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,6 +19,8 @@
 namespace {
 
 using namespace swirl;
+
+static_assert(std::numeric_limits<long double>::digits == 113);  // rounded_to_64.hpp
 
 constexpr int numbers_of_impact = 16;
 constexpr int most_impacts = 4096;  ///< of one call

@@ -4,8 +4,6 @@
 
 #include "map/numbers/vec2.hpp"
 
-#include <limits>
-
 namespace swirl {
 
 /// A long double of 113 bits, rounded to 64 after each operation. Rounded twice, it differs from x86's number where the
@@ -25,8 +23,6 @@ public:
     constexpr RoundedTo64& operator*=(RoundedTo64 other) { return *this = *this * other; }
 
 private:
-    static_assert(std::numeric_limits<long double>::digits == 113);
-
     /// The upper 64 of 113 bits, to nearest (Dekker 1971).
     static constexpr long double rounded(long double number) {
         const long double shifted = 0x1.0000000000008p49L * number;  // 2⁴⁹ + 1

@@ -165,6 +165,13 @@ class RecordFigure {
     return this.sweep.words(this.sweep.cellAt(along));
   }
 
+  /** Of a diagram the cycle beneath the mouse, in words. */
+  branchAt(event) {
+    if (!this.diagram) return "";
+    const { x, y } = this.figure.placeOf(event), [low, high] = this.figure.y;
+    return this.diagram.branchAt(x, y, 0.015 * (high - low));
+  }
+
   valuesAt(event) {
     const { x, y } = this.figure.placeOf(event);
     return Object.fromEntries(this.axes.map((axis, i) => [axis.name, axis.valueAt(i === 0 ? x : y)]));
@@ -179,7 +186,7 @@ class RecordFigure {
     });
     canvas.addEventListener("pointermove", (event) => {
       if (dragging) this.choose(this.valuesAt(event));
-      else this.onHover(this.valuesAt(event));
+      else this.onHover(this.valuesAt(event), this.branchAt(event));
     });
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { dragging = false; });
     canvas.addEventListener("pointerleave", () => this.onHover(null));

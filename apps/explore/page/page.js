@@ -11,7 +11,7 @@ class Page {
     this.scenes = this.scenesOfRecord();
     this.state = { ...this.scenes, start: 0, pace: "5" };
     this.figure = new RecordFigure(byId("figure"), data, (chosen) => this.change(chosen));
-    this.figure.onHover = (place) => this.showCell(place);
+    this.figure.onHover = (place, branch) => this.showCell(place, branch);
     this.panels = { dish: new Figure(byId("dish")), section: new Figure(byId("section")), spin: new Figure(byId("spin")) };
     for (const axis of this.figure.axes) this.state[axis.name] = axis.values[axis.order[axis.order.length >> 1]];
     this.describe();
@@ -111,8 +111,8 @@ class Page {
   }
 
   /** Of the place beneath the mouse, or of that nearest to the scene: never of a scene that the record does not have. */
-  showCell(place) {
-    const words = place ? this.figure.words(place) : this.nearestInRecord();
+  showCell(place, branch = "") {
+    const words = place ? [branch, this.figure.words(place)].filter(Boolean).join("; ") : this.nearestInRecord();
     byId("cell").textContent = words ? `${place ? "Here" : "Nearest in the record"}: ${words}` : "";
     if (!place) byId("recorded").replaceChildren(...(words ? [tag("the record"), ` ${words}`] : []));
   }

@@ -247,10 +247,25 @@ class Diagram {
         const from = branches[own].values[(i - 1) * width + p], to = branches[own].values[i * width + p];
         if (from !== null && to !== null)
           lines.push({ x: [parameter.values[i - 1], parameter.values[i]], y: [from, to],
-                       stable: stable.values[i] === 1 && stable.values[i - 1] === 1 });
+                       stable: stable.values[i] === 1 && stable.values[i - 1] === 1, period: period.values[i] });
       }
     }
     return lines;
+  }
+
+  /** The branch that passes a place within so much of the ordinate: "cycle of period 2, unstable, S = …". */
+  branchAt(x, y, within) {
+    let found = "", least = within;
+    for (const line of this.lines) {
+      const [from, to] = line.x;
+      if (x < Math.min(from, to) || x > Math.max(from, to)) continue;
+      const at = from === to ? line.y[0] : line.y[0] + (x - from) / (to - from) * (line.y[1] - line.y[0]);
+      if (!(Math.abs(at - y) <= least)) continue;
+      least = Math.abs(at - y);
+      found = `cycle of period ${line.period}, ${line.stable ? "stable" : "unstable"}, ` +
+        `${symbolOf(this.axis.name)} = ${shortNumber(x)}, ${this.observable} = ${shortNumber(at)}`;
+    }
+    return found;
   }
 
   /** What orbits came to at the nearest value; nothing of a record of branches alone. */

@@ -122,6 +122,10 @@ async function diagram(file) {
     await page.until(READY);
     await page.click("figure", 0.5, 0.5);
     assert.ok(Math.abs(await page.evaluate("swirlPage.scene.alpha") - 0.38) < 0.01);
+    const branch = await page.evaluate("(() => { const f = swirlPage.figure.figure, l = swirlPage.figure.diagram.lines[8]; " +
+      "return { x: f.toX((l.x[0] + l.x[1]) / 2) / f.width, y: f.toY(l.y[0]) / f.height }; })()");
+    await page.mouse("mouseMoved", await page.at("figure", branch.x, branch.y));
+    assert.match(await page.evaluate(text("cell")), /^Here: cycle of period \d+, (un)?stable, α = 0\.3\d+, S = −?\d/);
     await page.evaluate("swirlPage.setPace('100')");
     await wait(3);
     assert.match(await page.evaluate(text("recorded")), /^the record α = 0\.\d+: steady, ⟨S⟩ = −1\.\d+/);

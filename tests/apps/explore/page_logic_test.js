@@ -113,6 +113,9 @@ test("a diagram's lines are cut where branches end and where stability changes",
     period: column([1, 1, 1, 2, 2]), S: column([5, null, 6, null, 7, null, 1, 2, 3, 4], [5, 2]) } } });
   assert.deepEqual(diagram.lines.map(({ x, y, stable }) => [...x, ...y, stable]),
                    [[1, 2, 5, 6, true], [2, 3, 6, 7, false], [1, 2, 1, 3, false], [1, 2, 2, 4, false]]);
+  assert.equal(diagram.branchAt(1.5, 5.52, 0.1), "cycle of period 1, stable, α = 1.5, S = 5.5");
+  assert.equal(diagram.branchAt(1.5, 2.05, 0.1), "cycle of period 2, unstable, α = 1.5, S = 2");
+  assert.equal(diagram.branchAt(1.5, 4.2, 0.1), "");
 });
 
 test("ticks are round, and numbers have their signs", () => {

@@ -55,7 +55,7 @@ void note_size(std::vector<std::string>& notes, const FilmReport& report) {
         size_in_words(*report.film.size, report.source.scene.alpha)));
 }
 
-void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bool floor_given) {
+void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bool floor_known) {
     const analysis::DragFit &drag = film.drag.with.drag, &other = film.drag.on_the_other;
     if (std::isnan(drag.value))
         notes.push_back(
@@ -70,11 +70,13 @@ void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bo
     notes.push_back(
         "the floor drags: arcs, e and mu are those with its drag; the commands are of the scene without, which they "
         "do not know");
-    if (film.drag.floor_told || floor_given) return;
+    if (film.drag.floor_told || floor_known) return;
+    const std::string on_table =
+        std::isnan(other.value) ? "can't be told" : fmt::format("would be {:.3g} +- {:.2g}", other.value, other.error);
     notes.push_back(fmt::format(
         "whether the floor moves with the dish or stands still can't be told from these arcs: e and mu are those of "
-        "--floor dish; on a table, which stands still, the drag would be {:.3g} +- {:.2g}: see --floor table",
-        other.value, other.error));
+        "--floor dish; on a table, which stands still, the drag {}: see --floor table",
+        on_table));
 }
 
 void require_fitted(const studies::FilmFit& film, double alpha, const std::string& file) {
@@ -137,7 +139,7 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     note_size(report.notes, film);
-    note_drag(report.notes, film.film, floor.has_value());
+    note_drag(report.notes, film.film, floor.has_value() || film.source.scene.beta == 0);
     report.settings = {{"columns", options.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},
                        {"parts", static_cast<std::int64_t>(settings.parts)},

@@ -67,13 +67,14 @@ FilmDrag film_drag(Frames frames, double period, const FilmArcs& arcs, const Fil
     analysis::DraggedArcs table = drag_on(Floor::table, frames, period, arcs, scene, dish);
     const bool any = found.with.drag.surely_drags() || table.drag.surely_drags();
     if (!any) return found;
+    found.on_the_other = table.drag;
+    if (std::isnan(found.with.drag.value) || std::isnan(table.drag.value)) return found;  // straight arcs cost more
     const double place_noise = std::min(found.with.arcs.place_noise, table.arcs.place_noise);
     const double angle_noise = std::min(found.with.arcs.angle_noise, table.arcs.angle_noise);
     const double worse = analysis::cost_of(found.with.arcs, place_noise, angle_noise) -
                          analysis::cost_of(table.arcs, place_noise, angle_noise);
     found.worse_by = -worse;
     found.floor_told = std::abs(worse) > sure_floor;
-    found.on_the_other = table.drag;
     if (!(worse > sure_floor)) return found;
     found.floor = Floor::table;
     found.worse_by = worse;

@@ -1,17 +1,25 @@
 #include "apps/certify/certificate_file.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/text_file.hpp"
+#include "apps/record/record_error.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
+#include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <set>
+#include <system_error>
 
 namespace swirl::apps::certify {
 
@@ -114,6 +122,53 @@ StatedCycle cycle_in(const Json& document, const Json& orbit) {
     return cycle;
 }
 
+std::array<double, 2> range_in(const Json& range) {
+    if (range.size() != 2) throw BadInput("a range has not two ends");
+    return {range.at(0).get<double>(), range.at(1).get<double>()};
+}
+
+/// The cells that are stated as proven, and that their number and share are as stated.
+proof_check::StatedPlane plane_in(const Json& document) {
+    proof_check::StatedPlane plane;
+    const Json& settings = document.at("settings");
+    plane.names = {settings.at("first").get<std::string>(), settings.at("second").get<std::string>()};
+    plane.max_time = settings.at("max_time").get<double>();
+    Json scene = document.at("scene");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto [low, high] = range_in(document.at("plane").at(plane.names[i]));
+        plane.plane.low[i] = low;
+        plane.plane.high[i] = high;
+        scene[plane.names[i] == "inertia-factor" ? "inertia_factor" : plane.names[i]] = low;
+    }
+    read_scene(scene, plane.scene);
+    plane.scene.uniform_lamina = document.at("inertia").get<std::string>() == "uniform lamina" &&
+                                 plane.names[0] != "inertia-factor" && plane.names[1] != "inertia-factor";
+    double area = 0;
+    for (const Json& row : document.at("cells")) {
+        if (!row.at("proven").get<bool>()) continue;
+        cells::PlaneCell cell;
+        double share = 1;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto [low, high] = range_in(row.at("box").at(plane.names[i]));
+            cell.low[i] = low;
+            cell.high[i] = high;
+            share *= (high - low) / (plane.plane.high[i] - plane.plane.low[i]);
+        }
+        cell.proven = true;
+        cell.fixed_points = whole(row.at("fixed_points"));
+        cell.attracting = whole(row.at("attracting"));
+        cell.saddles = whole(row.at("saddles"));
+        cell.repelling = whole(row.at("repelling"));
+        area += share;
+        plane.proven.push_back(cell);
+    }
+    const double stated = document.at("proven_area").get<double>();
+    if (static_cast<std::size_t>(whole(document.at("proven"))) != plane.proven.size() ||
+        !(std::abs(area - stated) < 1e-9))
+        throw BadInput("the number or the share of its proven cells is not that of its cells");
+    return plane;
+}
+
 /// A document in which no object has a name twice, of which the library would keep the last.
 Json parsed(const std::string& text) {
     std::vector<std::set<std::string>> names;
@@ -131,6 +186,41 @@ Json parsed(const std::string& text) {
 
 std::string with_checksum(const std::string& open) {
     return open + tail_of(open);
+}
+
+std::unique_ptr<OutputFile> open_certificate(const std::string& name, bool force,
+                                             const std::vector<std::string>& inputs) {
+    if (name.empty()) return nullptr;
+    require_no_input(name, inputs);
+    std::error_code ignored;
+    if (!force && std::filesystem::is_regular_file(name, ignored)) {
+        constexpr std::size_t most = std::size_t{256} << 20U;
+        bool own = false;
+        try {
+            own = looks_like_certificate(read_text("output", name, most));
+        } catch (const BadInput&) {  // no text file: no certificate
+        }
+        if (!own)
+            throw BadInput(
+                fmt::format("output '{}' exists and is no certificate: name another file, or give --force", name));
+    }
+    try {
+        return std::make_unique<OutputFile>(name, "certificate");
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+void write_certificate(OutputFile& file, const std::string& text) {
+    std::size_t written = 0;
+    while (written < text.size()) {
+        const auto now = ::write(file.descriptor(), text.data() + written, text.size() - written);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0)
+            throw std::system_error(errno, std::generic_category(), "cannot write '" + file.name().string() + "'");
+        written += static_cast<std::size_t>(now);
+    }
+    file.commit();
 }
 
 bool looks_like_certificate(const std::string& text) {
@@ -152,6 +242,10 @@ StatedCertificate read_certificate(const std::string& file) {
         const Json document = parsed(text);
         stated.interrupted = document.value("outcome", "completed") == "interrupted";
         stated.all = document.contains("all") && !document.at("all").is_null();
+        if (document.contains("plane")) {
+            stated.plane = plane_in(document);
+            return stated;
+        }
         for (const Json& orbit : document.at("orbits")) {
             ++stated.orbits;
             if (orbit.at("proven").get<bool>()) stated.proven.push_back({stated.orbits, cycle_in(document, orbit)});

@@ -1,9 +1,13 @@
 // Certificates as text: JSON with a checksum of all that comes before it.
 #pragma once
 
+#include "apps/record/output_file.hpp"
 #include "map/proof_check/stated_cycle.hpp"
+#include "map/proof_check/stated_plane.hpp"
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +17,14 @@ namespace swirl::apps::certify {
 /// hand is known before anything is proven again.
 ///   open  a JSON object without its last brace
 std::string with_checksum(const std::string& open);
+
+/// The file of -o, opened before any work; none for an empty name. A file that is there must be a certificate, unless
+/// `force`.
+///   inputs  what is read
+/// @throws BadInput
+std::unique_ptr<OutputFile> open_certificate(const std::string& name, bool force,
+                                             const std::vector<std::string>& inputs);
+void write_certificate(OutputFile& file, const std::string& text);
 
 /// True if the text is a certificate of swirl, whole or not.
 bool looks_like_certificate(const std::string& text);
@@ -27,6 +39,7 @@ struct StatedCertificate {
     std::vector<StatedOrbit> proven;  ///< of them
     bool interrupted = false;         ///< its cycles are a part of those that were asked for
     bool all = false;                 ///< it also states that these are all fixed points, which is not checked
+    std::optional<proof_check::StatedPlane> plane;  ///< of cells, in place of orbits
 };
 
 /// @throws BadInput where the file is no certificate, was changed, or lacks a member; names the file

@@ -3,14 +3,12 @@
 #include "apps/certify/certificate_file.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/numbers.hpp"
+#include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/command_line/text_file.hpp"
 #include "apps/modes/verdict_in_words.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
-#include "apps/record/output_file.hpp"
-#include "apps/record/record_error.hpp"
 #include "apps/studies/cycles/near_orbit.hpp"
 #include "apps/studies/modes/followed_orbit.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
@@ -18,14 +16,10 @@
 #include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <system_error>
 
 namespace swirl::apps::certify {
 
@@ -44,6 +38,13 @@ show` numbers them), the one near a point (--near, --period), or what the start 
 that is no cycle). --all proves all fixed points with a flight time up to --max-time and that there are no others, and
 lists what it cannot decide.
 
+--plane NAME=A:B --plane NAME=C:D cuts a plane of two parameters into cells on which the number of fixed points with a flight
+time up to --max-time, and how many multipliers of each lie outside the unit circle, are proven to be the same for all
+parameters. What is not proven is halved, down to --resolution: a cover of the curves on which fixed points appear, end or
+change their stability. The table has the proven share of the plane by the number of halvings, with seconds of cores; doubt
+names what is not certain of a cell (equations, longest-flight, contact-mode, clearance, stability). A polygon, mu > 0,
+beta > 0, restitution < 1. `swirl plot` draws the record.
+
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
 fixed points is not part of that.
 
@@ -52,7 +53,8 @@ not be proven, 2 if the file is no certificate or was changed after it was writt
 
 Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
-  swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12)";
+  swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
+  swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.35 --plane beta=0.5:0.55 --max-time 2)";
 
 void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);
@@ -72,10 +74,19 @@ void CertifyOptions::add_to(Flags& command) {
     command.add_flag("--all", all, "all fixed points, with proof that there are no others");
     command
         .add_option("--max-time", longest,
-                    "longest flight time of --all, in 1/omega_s (SI units: s; default 12/omega_s)")
+                    "longest flight time, in 1/omega_s (SI units: s; default 12/omega_s, of --plane 6/omega_s)")
         ->type_name("T");
+    command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
+        ->type_name("")
+        ->offer(parameters_to_offer())
+        ->allow_extra_args(false);
+    command
+        .add_option("--resolution", resolution,
+                    "no cell of --plane is halved below this share of the plane's sides (default 1/256)")
+        ->type_name("R");
     add_file(command, "--check", check, "prove a certificate again")->type_name("CERT.json");
-    add_file(command, "-o,--output", certificate, "write the document, a certificate, to a file")
+    add_file(command, "-o,--output", certificate,
+             "write the document, a certificate, to a file; of --plane a record unless it ends in .json")
         ->type_name("CERT.json")
         ->group("Output");
     command.add_flag("--force", output.force, "replace an existing file that is no certificate")->group("Output");
@@ -86,9 +97,11 @@ namespace {
 void require_one_input(const CertifyOptions& options) {
     options.output.require_double("certify works in interval arithmetic");
     const int given = (options.record.empty() ? 0 : 1) + (options.near.empty() ? 0 : 1) + (options.all ? 1 : 0) +
-                      (options.check.empty() ? 0 : 1) + (options.from.empty() ? 0 : 1);
+                      (options.check.empty() ? 0 : 1) + (options.from.empty() ? 0 : 1) +
+                      (options.plane.empty() ? 0 : 1);
     if (given != 1)
-        throw BadInput("give one of: a RECORD, --near psi,chi,vn,vt,S, --from attractor, --all, --check CERT.json");
+        throw BadInput(
+            "give one of: a RECORD, --near psi,chi,vn,vt,S, --from attractor, --all, --plane, --check CERT.json");
     if (!options.from.empty() && options.from != "attractor")
         throw BadInput(fmt::format("from = {} is not known: attractor (of a point: --near)", options.from));
     if (options.start.given() && options.from.empty())
@@ -103,45 +116,11 @@ void require_one_input(const CertifyOptions& options) {
         throw BadInput(fmt::format("period = {}: --all proves fixed points, period 1", options.period()));
     if (options.its_period && options.near.empty() && !options.all)
         throw BadInput("--period goes with --near; a record's cycles have their own");
-    if (options.longest && !options.all) throw BadInput("--max-time goes with --all");
+    if (options.longest && !options.all && options.plane.empty())
+        throw BadInput("--max-time goes with --all or --plane");
+    if (options.resolution && options.plane.empty()) throw BadInput("--resolution goes with --plane");
     if (!options.check.empty() && !options.certificate.empty())
         throw BadInput("--check and --output are both given; --check writes nothing");
-}
-
-/// The file of -o, opened before any work. @throws BadInput
-std::unique_ptr<OutputFile> opened(const CertifyOptions& options) {
-    const std::string& name = options.certificate;
-    if (name.empty()) return nullptr;
-    require_no_input(name, {options.record, options.scene.file()});
-    std::error_code ignored;
-    if (!options.output.force && std::filesystem::is_regular_file(name, ignored)) {
-        constexpr std::size_t most = std::size_t{256} << 20U;
-        bool own = false;
-        try {
-            own = looks_like_certificate(read_text("output", name, most));
-        } catch (const BadInput&) {  // no text file: no certificate
-        }
-        if (!own)
-            throw BadInput(
-                fmt::format("output '{}' exists and is no certificate: name another file, or give --force", name));
-    }
-    try {
-        return std::make_unique<OutputFile>(name, "certificate");
-    } catch (const RecordError& error) {
-        throw BadInput(error.what());
-    }
-}
-
-void write_and_commit(OutputFile& file, const std::string& text) {
-    std::size_t written = 0;
-    while (written < text.size()) {
-        const auto now = ::write(file.descriptor(), text.data() + written, text.size() - written);
-        if (now < 0 && errno == EINTR) continue;
-        if (now < 0)
-            throw std::system_error(errno, std::generic_category(), "cannot write '" + file.name().string() + "'");
-        written += static_cast<std::size_t>(now);
-    }
-    file.commit();
 }
 
 Certified certified_record(const CertifyOptions& options) {
@@ -195,6 +174,7 @@ Certified certified_all(const CertifyOptions& options, const Scene<double>& scen
 
 int check_certificate(const CertifyOptions& options) {
     const StatedCertificate stated = read_certificate(options.check);
+    if (stated.plane) return check_plane(options, stated);
     std::size_t holds = 0;
     std::string refused;
     for (const StatedOrbit& orbit : stated.proven) {
@@ -232,12 +212,14 @@ int certify(CertifyOptions& options) {
     require_one_input(options);
     proof::require_interval_arithmetic();
     if (!options.check.empty()) return check_certificate(options);
+    if (!options.plane.empty()) return certify_plane(options);
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const bool needs_scene = options.record.empty();
     const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};
     if (options.all) options.max_time();  // refused before the file is opened
-    const std::unique_ptr<OutputFile> file = opened(options);
+    const std::unique_ptr<OutputFile> file =
+        open_certificate(options.certificate, options.output.force, {options.record, options.scene.file()});
     note_interruptions();
     Certified certified = !needs_scene           ? certified_record(options)
                           : options.all          ? certified_all(options, scene)
@@ -245,7 +227,7 @@ int certify(CertifyOptions& options) {
                                                  : certified_attractor(options, scene);
     finish_up();
     const std::string text = with_checksum(certificate_text(options, certified));
-    if (file) write_and_commit(*file, text);
+    if (file) write_certificate(*file, text);
     if (options.output.json)
         fmt::print("{}", text);
     else if (!options.output.quiet)

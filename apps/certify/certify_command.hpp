@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace swirl::apps::certify {
 
@@ -25,6 +26,8 @@ struct CertifyOptions {
     std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
     bool all = false;                        ///< all fixed points …
     std::optional<double> longest;           ///< … up to this flight time
+    std::vector<std::string> plane;          ///< NAME=A:B, twice: cells of a plane
+    std::optional<double> resolution;        ///< of the plane's sides, below which no cell is halved
     std::string check;                       ///< a certificate to check
     std::string certificate;                 ///< where to write one
 
@@ -33,6 +36,8 @@ struct CertifyOptions {
     double max_time() const { return scene.longest_flight(longest, 12, 1000); }  ///< in 1/ω_s. @throws BadInput
 };
 
+struct StatedCertificate;
+
 extern const char* const certify_details;
 
 /// All that was proven, as a document or certificate without its checksum and last brace.
@@ -40,6 +45,10 @@ std::string certificate_text(const CertifyOptions& options, const Certified& cer
 void print_certified(const CertifyOptions& options, const Certified& certified);
 
 int certify(CertifyOptions& options);
+/// --plane.
+int certify_plane(CertifyOptions& options);
+/// --check of a certificate of --plane.
+int check_plane(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check.
 int check_certificate(const CertifyOptions& options);
 

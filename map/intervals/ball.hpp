@@ -138,5 +138,9 @@ double middle(const Ball& x);
 Ball exact_middle(const Ball& x);
 /// The radius, rounded up.
 double radius(const Ball& x);
+/// All values of an enclosed number of any sort, as a ball.
+inline const Ball& values_of(const Ball& x) {
+    return x;
+}
 
 }  // namespace swirl::intervals

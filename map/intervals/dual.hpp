@@ -1,5 +1,5 @@
 // A ball with its partial derivatives, forward-mode automatic differentiation: the derivatives of a composed function
-// over a box are enclosed by the chain rule over balls.
+// over a box are enclosed by the chain rule over balls. The same over another sort of enclosed number (sloped.hpp).
 #pragma once
 
 #include "map/intervals/ball.hpp"
@@ -10,19 +10,19 @@
 
 namespace swirl::intervals {
 
-template <std::size_t D>
+template <std::size_t D, class S = Ball>
 struct Dual {
-    Ball value;
-    std::array<Ball, D> by;  ///< ∂/∂x_i
+    S value;
+    std::array<S, D> by;  ///< ∂/∂x_i
 
     Dual() = default;
-    explicit Dual(Ball v) : value(std::move(v)) {}
+    explicit Dual(S v) : value(std::move(v)) {}
     explicit Dual(double v) : value(v) {}
     explicit Dual(int v) : value(v) {}
     /// The i-th variable.
-    static Dual variable(Ball v, std::size_t i) {
+    static Dual variable(S v, std::size_t i) {
         Dual result(std::move(v));
-        result.by[i] = Ball(1);
+        result.by[i] = S(1);
         return result;
     }
 };
@@ -30,9 +30,9 @@ struct Dual {
 namespace detail {
 
 /// f(x) from its value and its derivative f′.
-template <std::size_t D>
-Dual<D> chained(Ball value, const Ball& slope, const Dual<D>& x) {
-    Dual<D> result(std::move(value));
+template <std::size_t D, class S>
+Dual<D, S> chained(S value, const S& slope, const Dual<D, S>& x) {
+    Dual<D, S> result(std::move(value));
     for (std::size_t i = 0; i < D; ++i)
         if (!is_exact_zero(x.by[i])) result.by[i] = slope * x.by[i];
     return result;
@@ -40,81 +40,81 @@ Dual<D> chained(Ball value, const Ball& slope, const Dual<D>& x) {
 
 }  // namespace detail
 
-template <std::size_t D>
-Dual<D> operator+(Dual<D> a, const Dual<D>& b) {
+template <std::size_t D, class S>
+Dual<D, S> operator+(Dual<D, S> a, const Dual<D, S>& b) {
     a.value += b.value;
     for (std::size_t i = 0; i < D; ++i) a.by[i] += b.by[i];
     return a;
 }
-template <std::size_t D>
-Dual<D> operator-(Dual<D> a, const Dual<D>& b) {
+template <std::size_t D, class S>
+Dual<D, S> operator-(Dual<D, S> a, const Dual<D, S>& b) {
     a.value -= b.value;
     for (std::size_t i = 0; i < D; ++i) a.by[i] -= b.by[i];
     return a;
 }
-template <std::size_t D>
-Dual<D> operator-(const Dual<D>& a) {
-    return detail::chained(-a.value, Ball(-1), a);
+template <std::size_t D, class S>
+Dual<D, S> operator-(const Dual<D, S>& a) {
+    return detail::chained(-a.value, S(-1), a);
 }
-template <std::size_t D>
-Dual<D> operator*(const Dual<D>& a, const Dual<D>& b) {
-    Dual<D> result(a.value * b.value);
+template <std::size_t D, class S>
+Dual<D, S> operator*(const Dual<D, S>& a, const Dual<D, S>& b) {
+    Dual<D, S> result(a.value * b.value);
     for (std::size_t i = 0; i < D; ++i) {
         if (!is_exact_zero(a.by[i])) result.by[i].add_product(a.by[i], b.value);
         if (!is_exact_zero(b.by[i])) result.by[i].add_product(a.value, b.by[i]);
     }
     return result;
 }
-template <std::size_t D>
-Dual<D> operator/(const Dual<D>& a, const Dual<D>& b) {
-    Dual<D> result(a.value / b.value);
+template <std::size_t D, class S>
+Dual<D, S> operator/(const Dual<D, S>& a, const Dual<D, S>& b) {
+    Dual<D, S> result(a.value / b.value);
     for (std::size_t i = 0; i < D; ++i)
         if (!is_exact_zero(a.by[i]) || !is_exact_zero(b.by[i]))
             result.by[i] = (a.by[i] - result.value * b.by[i]) / b.value;
     return result;
 }
-template <std::size_t D>
-Dual<D> operator+(Dual<D> a, const Ball& b) {
+template <std::size_t D, class S>
+Dual<D, S> operator+(Dual<D, S> a, const S& b) {
     a.value += b;
     return a;
 }
-template <std::size_t D>
-Dual<D> operator-(Dual<D> a, const Ball& b) {
+template <std::size_t D, class S>
+Dual<D, S> operator-(Dual<D, S> a, const S& b) {
     a.value -= b;
     return a;
 }
-template <std::size_t D>
-Dual<D> operator*(const Ball& a, const Dual<D>& b) {
+template <std::size_t D, class S>
+Dual<D, S> operator*(const S& a, const Dual<D, S>& b) {
     return detail::chained(a * b.value, a, b);
 }
 
-template <std::size_t D>
-Dual<D> sqrt(const Dual<D>& x) {
-    const Ball root = sqrt(x.value);
-    return detail::chained(root, Ball(0.5) / root, x);
+template <std::size_t D, class S>
+Dual<D, S> sqrt(const Dual<D, S>& x) {
+    const S root = sqrt(x.value);
+    return detail::chained(root, S(0.5) / root, x);
 }
-template <std::size_t D>
+template <std::size_t D, class S>
 struct DualSineCosine {
-    Dual<D> sine, cosine;
+    Dual<D, S> sine, cosine;
 };
-template <std::size_t D>
-DualSineCosine<D> sine_cosine(const Dual<D>& x) {
-    const SineCosine at = sine_cosine(x.value);
+template <std::size_t D, class S>
+DualSineCosine<D, S> sine_cosine(const Dual<D, S>& x) {
+    const auto at = sine_cosine(x.value);
     return {detail::chained(at.sine, at.cosine, x), detail::chained(at.cosine, -at.sine, x)};
 }
-template <std::size_t D>
-Dual<D> atan2(const Dual<D>& y, const Dual<D>& x) {
-    Dual<D> result(atan2(y.value, x.value));
-    const Ball length = square(x.value) + square(y.value);
+template <std::size_t D, class S>
+Dual<D, S> atan2(const Dual<D, S>& y, const Dual<D, S>& x) {
+    Dual<D, S> result(atan2(y.value, x.value));
+    const S length = square(x.value) + square(y.value);
     for (std::size_t i = 0; i < D; ++i)
         if (!is_exact_zero(x.by[i]) || !is_exact_zero(y.by[i]))
             result.by[i] = (x.value * y.by[i] - y.value * x.by[i]) / length;
     return result;
 }
 /// Values and derivatives of either: what a function that is continuous across a kink may have.
-template <std::size_t D>
-Dual<D> hull(const Dual<D>& a, const Dual<D>& b) {
-    Dual<D> result(hull(a.value, b.value));
+template <std::size_t D, class S>
+Dual<D, S> hull(const Dual<D, S>& a, const Dual<D, S>& b) {
+    Dual<D, S> result(hull(a.value, b.value));
     for (std::size_t i = 0; i < D; ++i) result.by[i] = hull(a.by[i], b.by[i]);
     return result;
 }
@@ -123,8 +123,8 @@ Dual<D> hull(const Dual<D>& a, const Dual<D>& b) {
 inline const Ball& value_of(const Ball& x) {
     return x;
 }
-template <std::size_t D>
-const Ball& value_of(const Dual<D>& x) {
+template <std::size_t D, class S>
+const S& value_of(const Dual<D, S>& x) {
     return x.value;
 }
 

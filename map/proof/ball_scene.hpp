@@ -10,16 +10,18 @@ using intervals::Ball;
 
 /// α = 0.4 is the ball about 4/10. κ is the decimal, too, unless its double is that of the uniform lamina: then
 /// (2 + cos(2π/N))/6 itself.
-struct BallScene {
+template <class S>
+struct SceneIn {
     int sides = 6;
     Law law = Law::poisson;
     bool frictionless = false;
-    Ball alpha, beta, mu, restitution, kappa;
-    Ball inertia, inverse_inertia;  ///< I = κα², 1/I
-    Ball spacing;                   ///< 2π/N; 0 of the disk
+    S alpha, beta, mu, restitution, kappa;
+    S inertia, inverse_inertia;  ///< I = κα², 1/I
+    S spacing;                   ///< 2π/N; 0 of the disk
 
     bool is_disk() const { return sides == disk_sides; }
 };
+using BallScene = SceneIn<Ball>;
 
 /// Every number is the shortest decimal that reads back to the scene's double.
 inline BallScene ball_scene(const Scene<double>& scene) {

@@ -1,7 +1,9 @@
 // What a build without Arb answers.
 #include "map/proof/all_fixed_points.hpp"
 #include "map/proof/prove_cycle.hpp"
+#include "map/proof/steady_cells.hpp"
 #include "map/proof_check/stated_cycle.hpp"
+#include "map/proof_check/stated_plane.hpp"
 
 #include <functional>
 #include <stdexcept>
@@ -31,11 +33,19 @@ AllFixedPoints all_fixed_points(const Scene<double>&, double, const std::functio
     refuse();
 }
 
+cells::PlanePiece proven_piece(const PlaneScene&, const cells::ParameterCell&, const cells::PlaneLimits&,
+                               const std::function<bool()>&) {
+    refuse();
+}
+
 }  // namespace proof
 
 namespace proof_check {
 
 std::string what_fails(const StatedCycle&) {
+    refuse();
+}
+std::string what_fails(const StatedPlane&, const std::function<bool()>&) {
     refuse();
 }
 

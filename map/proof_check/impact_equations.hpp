@@ -9,13 +9,15 @@
 
 namespace swirl::proof_check {
 
-/// The scene's numbers as balls.
-struct StatedScene {
-    Ball alpha, beta, mu, restitution, inertia, spacing;
+/// The scene's numbers as balls, or as other enclosed numbers.
+template <class S>
+struct SceneOver {
+    S alpha, beta, mu, restitution, inertia, spacing;
     int sides = 0;
     std::string law;
     bool disk() const { return sides == 0; }
 };
+using StatedScene = SceneOver<Ball>;
 
 /// κ of the uniform lamina, or the decimal. @throws std::invalid_argument for numbers out of range
 StatedScene scene_of(const StatedCycle& cycle);
@@ -29,9 +31,11 @@ StatedScene scene_of(const StatedCycle& cycle);
 ///   spin              I (S′ − S) = r_n q + r_t p,  p = v_n⁻ − v_n′, q = v_t′ − v_t⁻
 ///   friction          q = −sμp | u_t′ = 0 | q = sμ(p − 2p_k) | q = 0
 ///   restitution       by the law, in p and the velocities before and after
-struct StepEquations {
-    Gradient position_x, position_y, turn, spin, friction, restitution;
+template <class S>
+struct StepEquationsOver {
+    GradientOver<S> position_x, position_y, turn, spin, friction, restitution;
 };
+using StepEquations = StepEquationsOver<Ball>;
 
 /// An inequality, positive where it holds.
 struct Inequality {
@@ -40,12 +44,16 @@ struct Inequality {
 };
 
 /// The state of a step and of the next, each with the derivative by itself.
-struct StepVariables {
-    Gradient psi, chi, vn, vt, spin, tau, next_psi, next_chi, next_vn, next_vt, next_spin;
+template <class S>
+struct StepVariablesOver {
+    GradientOver<S> psi, chi, vn, vt, spin, tau, next_psi, next_chi, next_vn, next_vt, next_spin;
 };
+using StepVariables = StepVariablesOver<Ball>;
 
 ///   inequalities  null: not wanted
-StepEquations step_equations(const StatedScene& scene, const StatedStep& step, const StepVariables& at,
-                             std::vector<Inequality>* inequalities);
+/// Over balls, and over numbers that depend on two others (curved.hpp).
+template <class S>
+StepEquationsOver<S> step_equations(const SceneOver<S>& scene, const StatedStep& step, const StepVariablesOver<S>& at,
+                                    std::vector<Inequality>* inequalities);
 
 }  // namespace swirl::proof_check

@@ -4,7 +4,7 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (arcs, attractors, balance, basins, bifurcation, boundaries, contacts, energy, fit, lyapunov, multipliers, orbit, path,
+from . import (arcs, attractors, balance, basins, bifurcation, boundaries, cells, contacts, energy, fit, lyapunov, multipliers, orbit, path,
                quantities, recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit, require_kinds
 from .record import RecordError, open_record
@@ -51,6 +51,7 @@ KINDS = {
     "means": Kind(quantities.has_quantities, quantities.draw_means, quantities.means_size),
     "map": Kind(quantities.has_plane, quantities.draw_map, quantities.map_size),
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
+    "cells": Kind(cells.is_of_cells, cells.draw_into, cells.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
     "shares": Kind(_with("runs", "mode"), shares.draw_into, shares.size),

@@ -1,10 +1,14 @@
 // Balls: decimals are exact, operations enclose, comparisons are certain; Krawczyk's operator; discs for eigenvalues.
 #include "map/intervals/dual.hpp"
 #include "map/intervals/eigenvalue_discs.hpp"
+#include "map/intervals/sloped.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -95,6 +99,79 @@ TEST(Balls, EigenvaluesThatCannotBeToldApartShareADisc) {
         int holding = 0;
         for (const Disc& disc : discs) holding += std::hypot(disc.re - value, disc.im) <= disc.radius ? 1 : 0;
         EXPECT_GE(holding, value == 1.0 ? 2 : 1) << value;
+    }
+}
+
+/// Draws of two numbers that depend on two others, and of those others; what an operation makes of them is compared
+/// with 128 bits.
+using Two = Sloped<2>;
+void expect_encloses(const char* name, double low, double high,
+                     const std::function<Two(const Two&, const Two&)>& sloped,
+                     const std::function<Ball(const Ball&, const Ball&)>& exact) {
+    std::mt19937 draw(7);
+    const auto between_two = [&draw](double a, double b) { return std::uniform_real_distribution<double>(a, b)(draw); };
+    int tight = 0;
+    constexpr int count = 2000;
+    for (int i = 0; i < count; ++i) {
+        const double width = std::pow(10.0, between_two(-9, -1));
+        std::array<Two, 2> x;
+        for (Two& one : x) {
+            one.mid = between_two(low, high);
+            for (double& b : one.by) b = width * between_two(-1, 1);
+        }
+        const std::array<double, 2> e{between_two(-1, 1), between_two(-1, 1)};
+        const auto at = [&e](const Two& f) {
+            return Ball(f.mid) + Ball(f.by[0]) * Ball(e[0]) + Ball(f.by[1]) * Ball(e[1]);
+        };
+        const Two result = sloped(x[0], x[1]);
+        const Ball off = abs(exact(at(x[0]), at(x[1])) - at(result));
+        ASSERT_TRUE(lower(off) <= result.rest) << name << ' ' << x[0].mid << ' ' << x[1].mid << ' ' << width;
+        tight += result.rest <= 1e3 * width * width + 1e-13 ? 1 : 0;  // of second order
+    }
+    EXPECT_EQ(tight, count) << name;
+}
+
+TEST(Sloped, OperationsHoldTheTrueValueToSecondOrder) {
+    expect_encloses(
+        "+", -2, 2, [](const Two& x, const Two& y) { return x + y; },
+        [](const Ball& x, const Ball& y) { return x + y; });
+    expect_encloses(
+        "*", -2, 2, [](const Two& x, const Two& y) { return x * y; },
+        [](const Ball& x, const Ball& y) { return x * y; });
+    expect_encloses(
+        "/", 0.5, 2, [](const Two& x, const Two& y) { return x / y; },
+        [](const Ball& x, const Ball& y) { return x / y; });
+    expect_encloses(
+        "square", -2, 2, [](const Two& x, const Two&) { return square(x); },
+        [](const Ball& x, const Ball&) { return square(x); });
+    expect_encloses(
+        "sqrt", 0.3, 2, [](const Two& x, const Two&) { return sqrt(x); },
+        [](const Ball& x, const Ball&) { return sqrt(x); });
+    expect_encloses(
+        "sin", -7, 7, [](const Two& x, const Two&) { return sine_cosine(x).sine; },
+        [](const Ball& x, const Ball&) { return sine_cosine(x).sine; });
+    expect_encloses(
+        "cos", -7, 7, [](const Two& x, const Two&) { return sine_cosine(x).cosine; },
+        [](const Ball& x, const Ball&) { return sine_cosine(x).cosine; });
+    expect_encloses(
+        "atan2", 0.3, 2, [](const Two& x, const Two& y) { return atan2(x, y); },
+        [](const Ball& x, const Ball& y) { return atan2(x, y); });
+    expect_encloses(
+        "asin", -0.7, 0.7, [](const Two& x, const Two&) { return asin(x); },
+        [](const Ball& x, const Ball&) { return asin(x); });
+    expect_encloses(
+        "sinc", -0.5, 7, [](const Two& x, const Two&) { return sinc(x); },
+        [](const Ball& x, const Ball&) { return sinc(x); });
+    expect_encloses(
+        "(1 - cos x)/x", 0.3, 7, [](const Two& x, const Two&) { return versine_rate(x); },
+        [](const Ball& x, const Ball&) { return (Ball(1) - sine_cosine(x).cosine) / x; });
+}
+
+TEST(Sloped, NothingIsCertainOfWhatHasNoBounds) {
+    const Two x = Two::variable(-1, 1, 0);
+    for (const Two& y : {Two(1) / x, sqrt(x), Two(1) / x - Two(1) / x, sqrt(x) * Two(0)}) {
+        EXPECT_FALSE(is_positive(y) || is_negative(y) || is_finite(y));
+        EXPECT_TRUE(contains_zero(y));
     }
 }
 

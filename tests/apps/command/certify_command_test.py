@@ -10,6 +10,7 @@ import time
 import unittest
 from pathlib import Path
 
+from certificates import with_new_checksum
 from driving import SWIRL, InFolder, document, run
 
 REFERENCES = Path(sys.argv.pop(1))
@@ -17,20 +18,6 @@ EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else
 
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 STABLE = "--near=-0.08392228841921229,0.02796679481117455,-0.5542064425032355,0.8897935438579003,-0.9792660582185873"
-
-
-def crc64_xz(data):
-    crc = ~0 & (2**64 - 1)
-    for byte in data:
-        crc ^= byte
-        for _ in range(8):
-            crc = (crc >> 1) ^ (0xC96C5795D7870F42 if crc & 1 else 0)  # 42f0e1eba9ea3693, reflected
-    return crc ^ (2**64 - 1)
-
-
-def with_new_checksum(text):
-    body = text[:text.rindex(",\n  \"checksum\"")]
-    return f"{body},\n  \"checksum\": \"crc-64/xz {crc64_xz(body.encode()):016x}\"\n}}\n"
 
 
 class Certify(InFolder):

@@ -43,7 +43,7 @@ KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "t
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "three-axes": ["modes", "means", "map"], "sweep": ["modes", "means"], "tour": ["tour"],
-            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"]}
+            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"], "cells": ["cells"]}
 
 
 def measured_series():
@@ -72,7 +72,7 @@ class WithRecords(unittest.TestCase):
         impacts = cls.folder / "impacts.csv"
         impacts.write_text(impact_tables.table(impact_tables.impacts(60, noise=0.02)))
         cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, cls.folder))
-        for name in ("diagram", "cycles", "few-cycles", "curves", "ladders", "film"):
+        for name in ("diagram", "cycles", "few-cycles", "curves", "cells", "ladders", "film"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):
             cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
@@ -82,4 +82,5 @@ class WithRecords(unittest.TestCase):
         figure_records.write_orbits(cls.records["few-cycles"], 4, 1.3)
         figure_records.write_tradeoff(cls.records["ladders"])
         figure_records.write_boundaries(cls.records["curves"])
+        figure_records.write_cells(cls.records["cells"])
         figure_records.write_film(cls.records["film"])

@@ -157,6 +157,25 @@ def write_boundaries(path):
         _write(group, "second", ["special_point"], numpy.full(4, -1.0))
 
 
+def write_cells(path):
+    """Cells in the layout of `swirl certify --plane`: how many of r x (1 - x)'s two fixed points attract, alpha r, beta nothing;
+    cells that a bifurcation (r = 1, r = 3) crosses are not proven."""
+    settings = {"first": "alpha", "first_low": 0.0, "first_high": 4.0, "second": "beta", "second_low": 0.0, "second_high": 1.0,
+                "max_time": 6.0, "resolution": 1 / 16}
+    low = numpy.arange(16) * 0.25
+    first, second = (axis.ravel() for axis in numpy.meshgrid(low - 0.1 * (low > 0), numpy.arange(4) * 0.25))
+    high = numpy.append(low[1:] - 0.1, 4.0)[numpy.tile(numpy.arange(16), 4)]
+    proven = ~((first < 1) & (high > 1)) & ~((first < 3) & (high > 3))
+    with _record(path, settings, {name: value for name, value in SCENE.items() if name != "beta"}) as file:
+        file.create_group("result").attrs.update({"proven_area": float(proven.mean()), "outcome": "completed"})
+        group = file.create_group("cells")
+        _dimension(group, "cell", len(first))
+        for name, values in (("first_low", first), ("first_high", high), ("second_low", second), ("second_high", second + 0.25),
+                             ("proven", proven.astype("i8")), ("attracting", (proven & (high < 3)).astype("i8"))):
+            _write(group, name, ["cell"], values)
+        _write(group, "doubt", ["cell"], ["none" if is_proven else "stability" for is_proven in proven])
+
+
 RUNGS = [("double", 2.3e-7, 4e-16, 6e-14, 3e-10, 1e4, 0), ("extended", 1.9e-6, 2e-19, 3e-17, 2e-13, 1e4, 0),
          ("paper", 4.4e-6, 3e-14, 9e-14, 4e-9, 1e4, 37), ("fixed-step", 3.2e-5, 2e-3, 2e-2, 4e-1, 1e4, 412),
          ("quad", 6.1e-5, *[numpy.nan] * 5)]

@@ -35,6 +35,7 @@ RECORDS = {
     "coordinate": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.38:0.42:3 --observable psi --branches", "bifurcation"),
     "diagram": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.35:0.45:11 --branches", "bifurcation"),
     "curves": (f"boundaries {HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 1 --lines 2", "boundaries"),
+    "cells": (f"certify {HEXAGON} --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2 --resolution 0.25", "cells"),
     "line": (f"sweep {STEADY.replace('--alpha 0.4 ', '')} --grid alpha=0.3:0.5:3 --runs 2 {BRIEF}", "modes"),
     "map": (f"sweep {HEXAGON} --grid alpha=0.2:0.6:3 --grid beta=0.1:0.9:2 {BRIEF}", "modes"),
     "refined": (f"sweep {HEXAGON} --grid alpha=0.2:0.6:3 --grid beta=0.1:0.9:3 --refine 1 {BRIEF}", "modes"),

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <ctime>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace swirl::cells {
 

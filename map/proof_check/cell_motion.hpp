@@ -5,6 +5,7 @@
 #include "map/intervals/sloped.hpp"
 #include "map/proof_check/impact_equations.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace swirl::proof_check {

@@ -15,7 +15,7 @@ namespace swirl::studies::certify {
 
 namespace {
 
-constexpr int piece_halvings = 4;  ///< of each side: 256 pieces, by which threads share the work
+constexpr int piece_halvings = 4;  ///< of each side at most: 256 pieces, by which threads share the work
 
 /// Number `index` of the plane's pieces, along its first parameter first: by halves, as the pieces themselves are cut.
 swirl::cells::ParameterCell piece_of(const Plane& plane, int halvings, std::size_t index) {
@@ -90,7 +90,7 @@ std::size_t ProvenPlane::proven() const {
 
 ProvenPlane proven_plane(const Scene<double>& scene, const Plane& plane, const ProvenPlaneOptions& options) {
     require_isolated(scene, plane);
-    const int apart = std::min(piece_halvings, options.halvings);
+    const int apart = std::clamp(options.halvings - 3, 0, piece_halvings);
     const std::size_t count = std::size_t{1} << static_cast<unsigned>(2 * apart);
     const proof::PlaneScene plane_scene{scene, {plane.parameter(0), plane.parameter(1)}, options.max_time};
     swirl::cells::PlaneLimits limits;

@@ -54,7 +54,7 @@ not be proven, 2 if the file is no certificate or was changed after it was writt
 Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
-  swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.35 --plane beta=0.5:0.55 --max-time 2)";
+  swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2 --resolution 0.0625)";
 
 void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);

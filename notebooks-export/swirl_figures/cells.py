@@ -55,7 +55,7 @@ def draw_into(figure, record, look):
     for count, colour in colours.items():
         faces[cells.proven & (cells.attracting == count)] = colour
     handles = [Patch(fc=colour, ec="0.3", lw=0.5, label=f"{count} attracting") for count, colour in colours.items()]
-    handles.append(Patch(fc=BLACK, ec="0.3", lw=0.5, label="not proven: a cover of the curves"))
+    handles.append(Patch(fc=BLACK, ec="0.3", lw=0.5, label="not proven: holds all curves"))
     if not cells.looked_at.all():
         handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label="interrupted: not looked at"))
     parts = LegendBelow(figure)

@@ -20,7 +20,7 @@ palette.set_bad("black")
 drawn = axes.add_collection(PolyCollection(corners, array=values, cmap=palette, edgecolors="none", antialiased=False, rasterized=True))
 figure.colorbar(drawn, label="attracting fixed points")
 axes.autoscale()
-axes.set(xlabel=first, ylabel=second, title="black: not proven, a cover of the curves");
+axes.set(xlabel=first, ylabel=second, title="black: not proven, holds all curves");
 # %% [markdown]
 # ## What is not certain of the others
 # %%

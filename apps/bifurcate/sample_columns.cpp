@@ -65,7 +65,8 @@ NamedWork work_of(const BifurcateOptions& options, const Diagram& diagram) {
     const DiagramSettings settings = settings_of(options, diagram.along);
     const RiskQuestion question = question_of(settings);
     const RiskPieces numbers{question.runs, question.look};
-    const auto work = [of = settings, numbers](std::span<const std::size_t> pieces, const KeepPiece& keep) {
+    const auto work = [of = settings, stop = interruption(), numbers](std::span<const std::size_t> pieces,
+                                                                      const KeepPiece& keep) {
         const auto each = static_cast<std::size_t>(of.starts);
         for (const RiskPieces::Group& group : numbers.groups(pieces)) {
             std::vector<SceneStart> starts;
@@ -77,7 +78,7 @@ NamedWork work_of(const BifurcateOptions& options, const Diagram& diagram) {
                 attractor.start = static_cast<std::int64_t>(group.runs[place] % each);
                 keep({numbers.number(group.runs[place], group.look), packed(std::move(attractor))});
             };
-            settle_all(starts, of.samples, is_interrupted, take, group.look);
+            settle_all(starts, of.samples, stop, take, group.look);
         }
     };
     Settings named = diagram_scene(options, diagram);

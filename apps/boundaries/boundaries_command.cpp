@@ -110,11 +110,11 @@ LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
 /// lie between all lines.
 Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, const Plane& plane,
                              const MappedPlane& map, const LineOptions& options) {
-    Agreement first = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
+    Agreement first = compare(scene, plane, search.found().curves, map, options.max_period, interruption());
     const auto runs = missing_runs(first);
     if (runs.empty() || is_interrupted()) return first;
     search.follow(starting_points_of_runs(scene, plane, runs, map.starts, options));
-    Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
+    Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period, interruption());
     agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
     return agreement;
 }

@@ -135,7 +135,7 @@ Certified certified_record(const CertifyOptions& options) {
 
 Certified certified_near(const Scene<double>& scene, const SectionPoint<double>& z, int period) {
     const auto map = shooting_map_of(scene);
-    const auto found = cycles::find_near(scene, map, Accuracy::double_precision, z, period, period, is_interrupted);
+    const auto found = cycles::find_near(scene, map, Accuracy::double_precision, z, period, period, interruption());
     Certified certified{scene, {}, {}, {}, !found.cycles.empty(), !is_interrupted()};
     for (const analysis::Cycle& cycle : found.cycles) {
         CyclePlace place{scene, {}};
@@ -156,14 +156,14 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
 /// What the start settles on.
 Certified certified_attractor(const CertifyOptions& options, const Scene<double>& scene) {
     const SettledCycle settled =
-        settled_cycle(scene, options.start.start<double>(scene), Accuracy::double_precision, is_interrupted);
+        settled_cycle(scene, options.start.start<double>(scene), Accuracy::double_precision, interruption());
     if (settled.point) return certified_near(scene, *settled.point, settled.period);
     if (!is_interrupted()) report(no_cycle_in_words(settled.named.verdict));
     return {scene, {}, {}, {}, false, !is_interrupted()};
 }
 
 Certified certified_all(const CertifyOptions& options, const Scene<double>& scene) {
-    Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), is_interrupted), true};
+    Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), interruption()), true};
     certified.whole = certified.all->complete() || !is_interrupted();
     for (const proof::CycleProof& proof : certified.all->proven)
         certified.orbits.push_back({certified.orbits.size() + 1, scene, 1, proof.points.front(), proof});
@@ -229,7 +229,7 @@ int certify(CertifyOptions& options) {
     const std::string text = with_checksum(certificate_text(options, certified));
     if (file) write_certificate(*file, text);
     if (options.output.json)
-        fmt::print("{}", text);
+        print_text(text);
     else if (!options.output.quiet)
         print_certified(options, certified);
     if (!certified.whole) return exit_interrupted;

@@ -106,7 +106,7 @@ std::string cycle_in_words(const std::vector<double>& point, const std::optional
 
 /// The verdict at the look at which chaos of one run is called, if that tells; else at the limits.
 NamedMode name_at_risk(const ClassifyCommandOptions& options, const SceneStart& start, OrbitSamples* samples) {
-    NamingOptions naming{options.settings, options.output.accuracy(), {}};
+    NamingOptions naming{options.settings, options.output.accuracy(), interruption()};
     naming.look = look_of_one(options.risk, options.settings);
     if (naming.look > 0) {
         NamedMode named = name_alone(start, naming, samples);
@@ -130,6 +130,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
     OrbitSamples* const seen = record ? &samples : nullptr;
     const NamedMode named = recorded ? name_recorded(scene, start, *recorded, options.settings, accuracy, seen)
                                      : name_at_risk(options, {scene, start}, seen);
+    exit_when_interrupted();
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);

@@ -69,7 +69,7 @@ RiskPieces risk_pieces_of(const ClassifyCommandOptions& options) {
 NamedWork work_of(const ClassifyCommandOptions& options, const Scene<double>& scene) {
     const double speed = options.start.speed();
     const std::uint64_t seed = options.start.seed();
-    const NamingOptions naming{options.settings, options.output.accuracy(), is_interrupted};
+    const NamingOptions naming{options.settings, options.output.accuracy(), interruption()};
     const auto work = [scene, speed, seed, naming, numbers = risk_pieces_of(options)](
                           std::span<const std::size_t> pieces, const KeepPiece& keep) {
         for (const RiskPieces::Group& group : numbers.groups(pieces)) {
@@ -166,7 +166,7 @@ void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scen
 /// The verdict on one of them, with all of its evidence.
 NamedMode verdict_on(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found,
                      std::size_t run) {
-    NamingOptions naming{options.settings, options.output.accuracy(), is_interrupted};
+    NamingOptions naming{options.settings, options.output.accuracy(), interruption()};
     if (found.called[run]) naming.look = found.risk.front().impacts;
     return name_alone({scene, random_start(scene.beta, options.start.speed(), found.runs[run].seed, 0)}, naming);
 }

@@ -1,11 +1,16 @@
 #include "apps/command_line/documents.hpp"
 
+#include "apps/command_line/caller.hpp"
 #include "apps/output/value.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace swirl::apps {
@@ -80,6 +85,12 @@ std::string settings_text(const Settings& settings) {
         text += "\n";
     }
     return text;
+}
+
+JsonWriter document_writer() {
+    if (auto caller = caller_of_this_thread())
+        return JsonWriter([caller = std::move(caller)](std::string_view text) { caller->take_text(text); });
+    return JsonWriter(stdout);
 }
 
 void write_members(JsonWriter& json, const Settings& settings) {

@@ -38,10 +38,13 @@ void write_attributes(const RecordGroup& group, const Settings& settings);
 /// Groups scene, and start if there is one.
 void write_scene(const RecordGroup& root, const Scene<double>& scene, const StartOptions* start = nullptr);
 
-/// One JSON document on standard output, its members written by a function; the version comes last.
+/// Writes on standard output, or to the program for which the command runs (caller.hpp).
+JsonWriter document_writer();
+
+/// One JSON document there, its members written by a function; the version comes last.
 template <class WriteMembers>
 void print_document(const WriteMembers& write_all) {
-    JsonWriter json(stdout);
+    JsonWriter json = document_writer();
     json.begin_object(JsonLayout::rows);
     write_all(json);
     json.member("swirl_version", version());

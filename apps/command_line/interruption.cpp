@@ -1,5 +1,6 @@
 #include "apps/command_line/interruption.hpp"
 
+#include "apps/command_line/caller.hpp"
 #include "apps/command_line/errors.hpp"
 #include "apps/record/output_file.hpp"
 
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <ctime>
+#include <memory>
 
 namespace swirl::apps {
 
@@ -65,11 +67,16 @@ void handle(void (*handler)(int)) {
 }  // namespace
 
 void exit_when_interrupted() {
+    if (const auto caller = caller_of_this_thread()) {
+        if (caller->is_stopped()) throw Interrupted();
+        return;
+    }
     handle(leave);
     if (interrupted) leave(0);
 }
 
 void note_interruptions() {
+    if (const auto caller = caller_of_this_thread()) return caller->set_finishing(false);
     finishing = false;
     if (!has_grace_timer) {
         sigevent event{};
@@ -82,10 +89,17 @@ void note_interruptions() {
 }
 
 bool is_interrupted() {
-    return interrupted;
+    const auto caller = caller_of_this_thread();
+    return caller ? caller->is_stopped() : interrupted.load();
+}
+
+std::function<bool()> interruption() {
+    if (const auto caller = caller_of_this_thread()) return [caller] { return caller->is_stopped(); };
+    return [] { return interrupted.load(); };
 }
 
 void finish_up() {
+    if (const auto caller = caller_of_this_thread()) return caller->set_finishing(true);
     finishing = true;
     if (has_grace_timer) set_grace_timer(0);
 }

@@ -92,11 +92,19 @@ void Program::add_flags_for(const std::vector<std::string>& words) {
     };
     const bool all = std::any_of(entries_.begin(), entries_.end(),
                                  [&](const Entry& entry) { return entry.looks_at_all && named(entry); });
-    for (Entry& entry : entries_) {
-        if (!entry.add_flags || !(all || named(entry))) continue;
-        Flags flags(*entry.command);
-        std::exchange(entry.add_flags, nullptr)(flags);
-    }
+    for (Entry& entry : entries_)
+        if (all || named(entry)) add_flags(entry);
+}
+
+void Program::add_flags(Entry& entry) {
+    if (!entry.add_flags) return;
+    Flags flags(*entry.command);
+    std::exchange(entry.add_flags, nullptr)(flags);
+}
+
+ProgramDefinition Program::definition() {
+    for (Entry& entry : entries_) add_flags(entry);
+    return definition_of(*app_);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // The program: its commands, the one that a command line calls, and its folder. CLI11 stands behind it (see flags.hpp).
 #pragma once
 
+#include "apps/command_line/definitions.hpp"
 #include "apps/command_line/flags.hpp"
 
 #include <filesystem>
@@ -47,6 +48,9 @@ public:
     /// @throws BadInput for words that are no command line of this program, with one line that names the word
     Action called(int argc, char** argv);
 
+    /// All commands, with their flags.
+    ProgramDefinition definition();
+
 private:
     struct Entry {
         CLI::App* command;
@@ -57,6 +61,7 @@ private:
 
     void new_command(const std::string& name, const std::string& does, const std::string& details, Entry entry);
     void add_flags_for(const std::vector<std::string>& words);
+    void add_flags(Entry& entry);
 
     std::unique_ptr<CLI::App> app_;
     std::vector<Entry> entries_;

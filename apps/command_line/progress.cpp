@@ -26,13 +26,20 @@ std::string duration_in_words(double seconds) {
 }  // namespace
 
 Progress::Progress(std::string task, double total, bool quiet)
-    : task_(std::move(task)), total_(total), shown_(!quiet), on_terminal_(isatty(STDERR_FILENO) != 0) {}
+    : task_(std::move(task)),
+      total_(total),
+      caller_(caller_of_this_thread()),
+      shown_(!quiet),
+      on_terminal_(isatty(STDERR_FILENO) != 0) {
+    if (caller_) caller_->begin_task(task_, total_);
+}
 
 Progress::~Progress() {
     if (drawn_) std::fputs("\r\x1b[K", stderr);
 }
 
 void Progress::at(double done) {
+    if (caller_) return caller_->at(done);
     const auto now = Clock::now();
     if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;

@@ -1,8 +1,11 @@
 // How far a task is, on standard error, unless quiet: a bar on a terminal, elsewhere (a batch job's log) a line at
-// times.
+// times. A command that runs for another program tells that instead.
 #pragma once
 
+#include "apps/command_line/caller.hpp"
+
 #include <chrono>
+#include <memory>
 #include <string>
 
 namespace swirl::apps {
@@ -27,6 +30,7 @@ private:
 
     std::string task_;
     double total_;
+    std::shared_ptr<Caller> caller_;
     bool shown_, on_terminal_;
     bool drawn_ = false;
     double told_share_ = 0, told_at_ = 0;  ///< of the last line: share, seconds

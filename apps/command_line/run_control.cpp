@@ -13,7 +13,7 @@ RunControl run_control(const OutputOptions& output) {
         const auto progress = std::make_shared<Progress>(task, total, quiet);
         return [progress](double done) { progress->at(done); };
     };
-    return {is_interrupted, output.threads, begin};
+    return {interruption(), output.threads, begin};
 }
 
 }  // namespace swirl::apps

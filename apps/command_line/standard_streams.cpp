@@ -1,8 +1,10 @@
 #include "apps/command_line/standard_streams.hpp"
 
+#include "apps/command_line/caller.hpp"
 #include "apps/command_line/text_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -38,7 +40,13 @@ bool reader_of_output_has_gone() {
     return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
 }
 
+void print_text(std::string_view text) {
+    if (const auto caller = caller_of_this_thread()) return caller->take_text(text);
+    fmt::print("{}", text);
+}
+
 void report(const std::string& line) {
+    if (const auto caller = caller_of_this_thread()) return caller->take_message(printable(line));
     const std::string whole = printable(line) + "\n";  // at once, so that lines of several processes don't mix
     std::fwrite(whole.data(), 1, whole.size(), stderr);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace swirl::apps {
 
@@ -14,8 +15,12 @@ void prepare_standard_streams();
 /// True if standard output is a pipe or a socket whose reader has closed it, as `| head` does.
 bool reader_of_output_has_gone();
 
-/// A line on standard error, in which control characters are written out (text_file.hpp). Nothing depends on whether it
-/// can be written.
+/// Text on standard output; that of a command that runs for another program (caller.hpp) goes to that. @throws
+/// std::system_error if it can't be written
+void print_text(std::string_view text);
+
+/// A line on standard error, or to the program for which the command runs, in which control characters are written out
+/// (text_file.hpp). Nothing depends on whether it can be written.
 void report(const std::string& line);
 
 }  // namespace swirl::apps

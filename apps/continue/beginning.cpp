@@ -41,7 +41,8 @@ Beginning of_attractor(ContinueOptions& options) {
     const auto scene = options.scene.scene<double>();
     exit_when_interrupted();
     const SettledCycle settled =
-        settled_cycle(scene, options.start.start<double>(scene), options.output.accuracy(), {});
+        settled_cycle(scene, options.start.start<double>(scene), options.output.accuracy(), interruption());
+    exit_when_interrupted();
     if (!settled.point) return {scene, 1, {}, options.from, no_cycle_in_words(settled.named.verdict)};
     return {scene, settled.period, {*settled.point}, orbits::point_as_flag(*settled.point, scene.is_disk()), ""};
 }

@@ -120,7 +120,7 @@ int continue_orbit(ContinueOptions& options) {
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     if (along.parameter)
         for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
-    SceneBranches system = scene_branches(scene, along, accuracy, is_interrupted);
+    SceneBranches system = scene_branches(scene, along, accuracy, interruption());
     const double p = value_of(scene, along);
     if (along.parameter && (p < along.low || p > along.high))
         throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name,

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
 
@@ -57,7 +58,7 @@ int for_each_body(SeriesChoice& series, const OutputOptions& output, const std::
     std::size_t refused = 0;
     std::string why;
     for (const std::string& id : ids) {
-        if (prints && output.json) fmt::print("{}", &id == &ids.front() ? "{\"bodies\": [\n" : ",\n");
+        if (prints && output.json) print_text(&id == &ids.front() ? "{\"bodies\": [\n" : ",\n");
         if (prints && !output.json && &id != &ids.front()) fmt::print("\n");
         series.where = where;
         series.where.push_back(column + "=" + id);
@@ -70,9 +71,9 @@ int for_each_body(SeriesChoice& series, const OutputOptions& output, const std::
             why = error.what();
         }
         ++refused;
-        if (prints) fmt::print("{}", refusal_of(id, why, output.json));
+        if (prints) print_text(refusal_of(id, why, output.json));
     }
-    if (prints && output.json) fmt::print("], \"swirl_version\": \"{}\"}}\n", version());
+    if (prints && output.json) print_text(fmt::format("], \"swirl_version\": \"{}\"}}\n", version()));
     if (refused == ids.size())
         throw BadInput(fmt::format("each = '{}': no body can be analysed; the last: {}", column, why));
     return worst;

@@ -152,7 +152,9 @@ void JsonWriter::quoted(std::string_view text) {
 }
 
 void JsonWriter::write_out() {
-    if (text_ != nullptr) {
+    if (take_) {
+        take_(buffer_);
+    } else if (text_ != nullptr) {
         *text_ += buffer_;
     } else if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) {
         throw JsonError("cannot write JSON: " + std::generic_category().message(errno));

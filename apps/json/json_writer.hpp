@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace swirl::apps {
@@ -29,6 +31,8 @@ public:
     /// `target` outlives the writer. To a file the text goes in pieces of 64 KiB.
     explicit JsonWriter(std::FILE* target) : file_(target) {}
     explicit JsonWriter(std::string& target) : text_(&target) {}
+    /// `take` gets the text in such pieces, too.
+    explicit JsonWriter(std::function<void(std::string_view)> take) : take_(std::move(take)) {}
 
     void begin_object(JsonLayout layout = JsonLayout::line) { begin(true, layout); }
     void end_object() { end(true); }
@@ -93,6 +97,7 @@ private:
 
     std::FILE* file_ = nullptr;
     std::string* text_ = nullptr;
+    std::function<void(std::string_view)> take_;
     std::string buffer_;
     std::vector<Level> levels_;
     bool has_key_ = false;

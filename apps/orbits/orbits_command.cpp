@@ -164,7 +164,7 @@ int orbits(OrbitsOptions& options) {
         open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()}, options.scene.units());
     note_interruptions();
     const auto [first, last] = options.periods();
-    FoundOrbits found = near ? find_near(scene, map, options.candidates.accuracy, *near, first, last, is_interrupted)
+    FoundOrbits found = near ? find_near(scene, map, options.candidates.accuracy, *near, first, last, interruption())
                              : find_orbits(scene, map, find_options_of(options));
     found.accuracy = options.candidates.accuracy;
     for (const ShortOrbit& orbit : found.too_short)

@@ -1,6 +1,16 @@
 #include "apps/record/hdf5_handle.hpp"
 
+#include "apps/record/hdf5_threads.hpp"
 #include "apps/record/record_error.hpp"
+
+namespace swirl::apps {
+
+bool hdf5_is_safe_in_threads() {
+    hbool_t is_safe = false;
+    return H5is_library_threadsafe(&is_safe) >= 0 && is_safe;
+}
+
+}  // namespace swirl::apps
 
 namespace swirl::apps::hdf5 {
 

@@ -153,7 +153,7 @@ int simulate(SimulateOptions& options) {
     }
     std::optional<JsonWriter> json;
     if (options.output.json) {
-        json.emplace(stdout);
+        json.emplace(document_writer());
         json->begin_object(JsonLayout::rows);
         write_scene(*json, scene, options.scene, &options.start);
     }

@@ -118,13 +118,13 @@ RiskPieces risk_pieces_of(const GridStudy& study) {
 
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
     const GridStudy study = study_of(options, sweep.grid);
-    const auto work = [study, numbers = risk_pieces_of(study)](std::span<const std::size_t> pieces,
-                                                               const KeepPiece& keep) {
+    const auto work = [study, stop = interruption(), numbers = risk_pieces_of(study)](
+                          std::span<const std::size_t> pieces, const KeepPiece& keep) {
         for (const RiskPieces::Group& group : numbers.groups(pieces)) {
             const auto keep_run = [&](std::size_t run, const RunResult& result) {
                 keep({numbers.number(run, group.look), packed(result)});
             };
-            name_runs(study, group.runs, is_interrupted, keep_run, group.look);
+            name_runs(study, group.runs, stop, keep_run, group.look);
         }
     };
     return {name_of_work(sweep.settings), work, most_named_together()};

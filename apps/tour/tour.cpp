@@ -65,7 +65,7 @@ int tour(TourOptions& options) {
     std::optional<RecordWriter> record = open_record(options.output, "Modes of swirled polygons and disks", {});
     std::optional<JsonWriter> json;
     if (options.output.json) {
-        json.emplace(stdout);
+        json.emplace(document_writer());
         json->begin_object(JsonLayout::rows);
     }
     analysis::ClassifyOptions settings;

@@ -81,6 +81,7 @@ int tradeoff(TradeoffOptions& options) {
                                                      {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
     const Tradeoff found = measure(scene, starts, amounts, budget, run_control(options.output));
+    exit_when_interrupted();
     if (record) {
         write_record(record->root(), options, scene, amounts, found);
         record->finish();

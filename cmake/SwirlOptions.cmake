@@ -4,6 +4,9 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# Debian's Python packages belong to this interpreter; another python3 first on PATH may not see them.
+set(SWIRL_PYTHON /usr/bin/python3 CACHE FILEPATH "The Python of the tests, of the module, and of what draws figures")
+
 # A compiler cache where there is one; -DSWIRL_CCACHE=OFF does without it. Paths below the checkout count from there, so
 # that two checkouts share what they compile.
 find_program(SWIRL_CCACHE ccache)
@@ -32,6 +35,10 @@ function(swirl_unite_groups target)
   endwhile()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWIRL_UNITY} UNITY_BUILD_MODE GROUP)
 endfunction()
+
+# The libraries go into the command and into the Python module alike, so all code may lie anywhere. What a library calls of
+# its own it calls directly, as in a program: nobody puts another function in its place.
+add_compile_options(-fPIC -fno-semantic-interposition)
 
 add_library(swirl_options INTERFACE)
 set_target_properties(swirl_options PROPERTIES EXPORT_NAME options)

@@ -1,6 +1,5 @@
 # The documents, the manual and the headers as a static site: `cmake --build build/release --target site`. Nothing else needs
 # what makes it (docs/site/packages.txt).
-set(SWIRL_PYTHON /usr/bin/python3 CACHE FILEPATH "The Python that the tests run")
 find_program(SWIRL_CMARK cmark-gfm)
 find_program(SWIRL_DOXYGEN doxygen)
 find_program(SWIRL_NODE node)

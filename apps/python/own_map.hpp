@@ -1,0 +1,11 @@
+// A map of the user's own, z -> F(z; p) by a Python function, given to analysis/: its cycles, branches and exponents.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace swirl::python {
+
+/// Adds the class OwnMap to the module; swirl/analysis.py has what users see.
+void add_own_map(pybind11::module_& module);
+
+}  // namespace swirl::python

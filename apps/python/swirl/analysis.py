@@ -1,0 +1,239 @@
+"""Cycles, branches and Lyapunov exponents of a map of one's own: a Python function of a state and a parameter.
+
+    >>> import numpy as np
+    >>> from swirl import analysis
+    >>> henon = analysis.Map(lambda z, a: (1 - a * z[0]**2 + z[1], 0.3 * z[0]), dimension=2)
+    >>> [cycle.points[0] for cycle in henon.cycles(period=1, parameter=1.4)]
+    >>> branches = henon.continue_(henon.cycles(1, 0.1)[0], between=(0, 1.2))
+    >>> henon.exponents((0.1, 0.1), 1.4).exponents
+
+What computes is `analysis/` of Swirl, the same as for its scenes: multiple shooting with Newton's method, pseudo-arclength
+continuation with special points located to rounding, QR of the derivatives.
+"""
+
+import dataclasses
+import inspect
+
+import numpy as np
+
+from . import _swirl
+
+__all__ = ["Branch", "BranchPoint", "Cycle", "Exponents", "Map", "SpecialPoint"]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Cycle:
+    """k points that the map leads to each other."""
+    points: np.ndarray       #: shape (k, d)
+    parameter: float
+    multipliers: np.ndarray  #: complex, shape (d,), of the derivative of F^k, by falling modulus
+    stability: str           #: "stable", "unstable" or "neutral"
+    residual: float = 0.0    #: largest coordinate of F(z_i) - z_(i+1)
+
+    @property
+    def period(self):
+        return len(self.points)
+
+
+class BranchPoint(Cycle):
+    """A cycle of a branch."""
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class SpecialPoint(BranchPoint):
+    """Where a branch turns or changes its stability."""
+    kind: str = ""  #: "fold", "flip", "neimark-sacker", "branch-point", or "border" where the map ends
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Branch:
+    """A curve of cycles over the parameter."""
+    period: int
+    points: list   #: of BranchPoint, in order
+    special: list  #: of SpecialPoint
+    parent: int    #: place in the list of the branch it was switched from; -1: none
+
+    @property
+    def parameter(self):
+        """ndarray, one a point."""
+        return np.array([point.parameter for point in self.points])
+
+    def coordinate(self, i):
+        """ndarray: coordinate i of each cycle's first point."""
+        return np.array([point.points[0][i] for point in self.points])
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Exponents:
+    """Lyapunov exponents per step, by falling size."""
+    outcome: str                    #: "completed", or how the map ended
+    steps: int                      #: that counted
+    exponents: np.ndarray           #: shape (d,)
+    standard_errors: np.ndarray     #: of their means
+    weighted_exponents: np.ndarray  #: converge faster than any power of the steps on regular orbits
+
+
+class Map:
+    """z -> F(z, p), by a Python function.
+
+    Parameters
+    ----------
+    function : callable
+        `function(z, p)` gives F; z is an ndarray of shape (d,), p a float. One of z alone has no parameter. NaN, or
+        None: the map ends there.
+    jacobian : callable, optional
+        `jacobian(z, p)`, shape (d, d): dF_i/dz_j. Without it: central differences, whose error is some 1e-10.
+    dimension : int
+        d. Exponents want 1 to 6.
+    parameter_jacobian : callable, optional
+        `parameter_jacobian(z, p)`, shape (d,): dF_i/dp, for continuation.
+    angles : dict of int: float, optional
+        Periods of those coordinates that are angles, {0: 2 * pi}.
+    """
+
+    def __init__(self, function, jacobian=None, *, dimension, parameter_jacobian=None, angles=None):
+        self.dimension = int(dimension)
+        if self.dimension < 1:
+            raise ValueError(f"dimension = {dimension} is outside its range: 1 or more")
+        self.has_parameter = _takes_two(function)
+        self._function, self._jacobian, self._by_parameter = (
+            one if one is None or _takes_two(one) else (lambda z, p, one=one: one(z)) for one in (function, jacobian, parameter_jacobian))
+        periods = [0.0] * self.dimension
+        for place, period in (angles or {}).items():
+            periods[place] = float(period)
+        self._own = _swirl.OwnMap(self._step, self.dimension, periods)
+
+    def __call__(self, z, parameter=0.0):
+        """F(z, p), an ndarray."""
+        image = self._function(np.asarray(z, dtype=float), parameter)
+        if image is None:
+            return np.full(self.dimension, np.nan)
+        return np.asarray(image, dtype=float).reshape(self.dimension)
+
+    def derivative(self, z, parameter=0.0):
+        """dF/dz, shape (d, d)."""
+        z = np.asarray(z, dtype=float)
+        if self._jacobian is not None:
+            return np.asarray(self._jacobian(z, parameter), dtype=float).reshape(self.dimension, self.dimension)
+        steps = np.cbrt(np.finfo(float).eps) * np.maximum(1, np.abs(z))
+        columns = [(self(z + h * e, parameter) - self(z - h * e, parameter)) / (2 * h) for h, e in zip(steps, np.eye(self.dimension))]
+        return np.column_stack(columns)
+
+    def _slope(self, z, p):
+        if not self.has_parameter:
+            return np.zeros((self.dimension, 1))
+        if self._by_parameter is not None:
+            return np.asarray(self._by_parameter(z, p), dtype=float).reshape(self.dimension, 1)
+        h = np.cbrt(np.finfo(float).eps) * max(1, abs(p))
+        return ((self(z, p + h) - self(z, p - h)) / (2 * h)).reshape(self.dimension, 1)
+
+    def _step(self, z, p):
+        z = np.ravel(z)
+        return self(z, p), self.derivative(z, p), self._slope(z, p)
+
+    def orbit(self, z, steps, parameter=0.0):
+        """z, F(z), …: ndarray of shape (steps + 1, d); NaN once the map has ended."""
+        orbit = np.full((steps + 1, self.dimension), np.nan)
+        orbit[0] = z
+        with np.errstate(all="ignore"):
+            for i in range(steps):
+                orbit[i + 1] = self(orbit[i], parameter)
+                if not np.isfinite(orbit[i + 1]).all():
+                    break
+        return orbit
+
+    def cycles(self, period=1, parameter=0.0, starts=None, accept=1e-10, seed=1):
+        """The cycles of this minimal period that Newton's method finds from the starts, stable and unstable, each once.
+
+        Parameters
+        ----------
+        period : int
+            k.
+        parameter : float
+            p.
+        starts : array_like, shape (n, d), optional
+            Guesses of a point. By default 200 states, normally distributed about 0 (seed `seed`).
+        accept : float
+            Largest residual of a cycle.
+
+        Returns
+        -------
+        list of Cycle
+
+        Notes
+        -----
+        There may be others. Source: analysis/cycles/README.md.
+        """
+        if starts is None:
+            starts = np.random.default_rng(seed).normal(size=(200, self.dimension))
+        candidates = []
+        for start in np.atleast_2d(np.asarray(starts, dtype=float)):
+            points = self.orbit(start, period - 1, parameter)
+            if np.isfinite(points).all():
+                candidates.append(list(points))
+        found = self._own.cycles(candidates, float(parameter), int(period), float(accept))
+        return [Cycle(_points(one), float(parameter), np.array(one["multipliers"]), one["stability"], one["residual"]) for one in found]
+
+    def continue_(self, cycle, between, parameter=None, longest_step=0.02, switch=0):
+        """The branch of a cycle over the parameter, both ways, with its special points, and the branches that begin there.
+
+        Parameters
+        ----------
+        cycle : Cycle or array_like, shape (k, d)
+        between : (float, float)
+            The parameter's range.
+        parameter : float, optional
+            Of the cycle, where it is given by its points.
+        longest_step : float
+            Along the branch, in the arclength s^2 = |dZ|^2 / k + dp^2.
+        switch : int
+            At flips and branch points go over to the other branch, and so often again from there.
+
+        Returns
+        -------
+        list of Branch
+            Empty where no cycle is there.
+
+        Notes
+        -----
+        Source: analysis/continuation/README.md.
+        """
+        if not self.has_parameter:
+            raise ValueError("the map has no parameter: give a function of (z, p)")
+        points = cycle.points if isinstance(cycle, Cycle) else np.atleast_2d(np.asarray(cycle, dtype=float))
+        p = cycle.parameter if parameter is None and isinstance(cycle, Cycle) else parameter
+        if p is None:
+            raise ValueError("parameter is missing: that of the cycle")
+        low, high = map(float, between)
+        if not low <= p <= high:
+            raise ValueError(f"parameter = {p:g} is outside `between`: {low:g} to {high:g}")
+        found = self._own.branches(list(points), float(p), low, high, float(longest_step), int(switch))
+        return [Branch(one["period"], [_of(BranchPoint, point) for point in one["points"]],
+                       [_of(SpecialPoint, point, kind=point["kind"]) for point in one["special"]], one["parent"]) for one in found]
+
+    def exponents(self, z, parameter=0.0, steps=10_000, transient=1_000):
+        """All d Lyapunov exponents of the orbit from z, per step, in natural logarithms.
+
+        Source: G. Benettin et al., Meccanica 15 (1980) 9; analysis/lyapunov/README.md.
+        """
+        found = self._own.exponents(np.asarray(z, dtype=float).reshape(self.dimension), float(parameter), int(steps), int(transient))
+        return Exponents(found["outcome"], found["steps"],
+                         *(np.array(found[name]) for name in ("exponents", "standard_errors", "weighted_exponents")))
+
+
+def _points(found):
+    return np.array([np.ravel(point) for point in found["points"]])
+
+
+def _of(point, found, **more):
+    return point(_points(found), found["parameter"], np.array(found["multipliers"]), found["stability"], **more)
+
+
+def _takes_two(function):
+    """Of a state and a parameter, or of a state alone?"""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return True
+    places = [p for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
+    return len(places) >= 2 or any(p.kind == p.VAR_POSITIONAL for p in parameters)

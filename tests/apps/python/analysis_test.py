@@ -1,0 +1,106 @@
+"""swirl.analysis: maps that are Python functions, against closed forms and published values."""
+
+import math
+import unittest
+
+import numpy as np
+
+from imported import swirl
+from swirl import analysis
+
+HENON = analysis.Map(lambda z, a: (1 - a * z[0] ** 2 + z[1], 0.3 * z[0]), lambda z, a: [[-2 * a * z[0], 1], [0.3, 0]], dimension=2)
+LOGISTIC = analysis.Map(lambda z, r: [r * z[0] * (1 - z[0])], dimension=1)
+
+
+class Henon(unittest.TestCase):
+    def test_fixed_points_are_the_roots_of_the_quadratic(self):
+        found = sorted(cycle.points[0][0] for cycle in HENON.cycles(1, 1.4))
+        roots = [(-0.7 + sign * math.sqrt(0.49 + 5.6)) / 2.8 for sign in (-1, 1)]
+        np.testing.assert_allclose(found, roots, rtol=0, atol=1e-13)
+
+    def test_multipliers_are_those_of_the_closed_form(self):
+        for cycle in HENON.cycles(1, 1.4):
+            x = cycle.points[0][0]
+            roots = sorted(np.roots([1, 2.8 * x, -0.3]), key=abs, reverse=True)
+            np.testing.assert_allclose(cycle.multipliers, roots, rtol=0, atol=1e-12)
+            self.assertEqual((cycle.stability, cycle.period), ("unstable", 1))
+
+    def test_cycles_are_as_many_as_published(self):
+        """O. Biham, W. Wenzel, Phys. Rev. Lett. 63 (1989) 819: orbits of minimal period 2 to 7 at a = 1.4, b = 0.3."""
+        starts = HENON.orbit((0.1, 0.1), 160, 1.4)[40:]
+        counts = [len(HENON.cycles(period, 1.4, starts=starts)) for period in range(2, 8)]
+        self.assertEqual(counts, [1, 0, 1, 0, 2, 4])
+
+    def test_exponents_are_the_published_ones(self):
+        """J. C. Sprott, Chaos and Time-Series Analysis (2003): 0.41922, -1.62319; their sum is ln 0.3."""
+        found = HENON.exponents((0.1, 0.1), 1.4, steps=6_000)
+        self.assertEqual((found.outcome, found.steps), ("completed", 6_000))
+        self.assertAlmostEqual(found.exponents.sum(), math.log(0.3), places=9)
+        self.assertLess(abs(found.exponents[0] - 0.41922), 5 * found.standard_errors[0])
+        self.assertLess(found.standard_errors[0], 0.01)
+
+    def test_differences_stand_in_for_the_jacobian(self):
+        plain = analysis.Map(lambda z, a: (1 - a * z[0] ** 2 + z[1], 0.3 * z[0]), dimension=2)
+        z = np.array([0.3, -0.2])
+        np.testing.assert_allclose(plain.derivative(z, 1.4), HENON.derivative(z, 1.4), rtol=0, atol=1e-9)
+        self.assertEqual(len(plain.cycles(2, 1.4)), 1)
+
+
+class Branches(unittest.TestCase):
+    def special(self, branches, kind):
+        return [special.parameter for branch in branches for special in branch.special if special.kind == kind]
+
+    def test_the_logistic_map_doubles_its_period_at_three_and_at_one_plus_the_root_of_six(self):
+        start = [cycle for cycle in LOGISTIC.cycles(1, 2.5) if cycle.points[0][0] > 0.1]
+        branches = LOGISTIC.continue_(start[0], between=(1.5, 3.5), switch=1)
+        self.assertEqual([branch.period for branch in branches], [1, 2])
+        flips = self.special(branches, "flip")
+        np.testing.assert_allclose(sorted(flips), [3, 1 + math.sqrt(6)], rtol=0, atol=1e-8)
+        self.assertEqual(branches[1].parent, 0)
+
+    def test_cycles_of_three_begin_in_a_fold_at_one_plus_the_root_of_eight(self):
+        cycles = LOGISTIC.cycles(3, 3.84, starts=np.linspace(0.05, 0.95, 40)[:, None])
+        self.assertEqual(len(cycles), 2)
+        branch = LOGISTIC.continue_(cycles[0], between=(3.8, 3.9))
+        np.testing.assert_allclose(self.special(branch, "fold"), [1 + math.sqrt(8)], rtol=0, atol=1e-8)
+
+    def test_the_delayed_logistic_map_loses_its_fixed_point_to_a_torus_at_two(self):
+        delayed = analysis.Map(lambda z, r: (r * z[0] * (1 - z[1]), z[0]), dimension=2)
+        branch = delayed.continue_([[1 - 1 / 1.8] * 2], between=(1.5, 2.2), parameter=1.8)
+        np.testing.assert_allclose(self.special(branch, "neimark-sacker"), [2], rtol=0, atol=1e-8)
+
+    def test_the_logistic_map_at_four_has_the_exponent_ln_two(self):
+        found = LOGISTIC.exponents([0.3], 4, steps=6_000)
+        self.assertLess(abs(found.exponents[0] - math.log(2)), 5 * found.standard_errors[0])
+
+
+class OfAUser(unittest.TestCase):
+    def test_what_the_function_throws_is_thrown(self):
+        def broken(z, p):
+            raise KeyError("own")
+        for use in (lambda m: m.cycles(1), lambda m: m.exponents([0.1]), lambda m: m.continue_([[0.1]], between=(0, 1), parameter=0.5)):
+            with self.assertRaisesRegex(KeyError, "own"):
+                use(analysis.Map(broken, dimension=1, jacobian=lambda z, p: [[1]]))
+
+    def test_a_map_that_ends_is_an_outcome(self):
+        ends = analysis.Map(lambda z: None if z[0] > 5 else z * 1.1, dimension=1)
+        self.assertEqual(ends.exponents([1.0], steps=100, transient=0).outcome, "ended-early")
+
+    def test_wrong_input_is_named(self):
+        with self.assertRaisesRegex(ValueError, "no parameter"):
+            analysis.Map(lambda z: z, dimension=1).continue_([[0.0]], between=(0, 1), parameter=0)
+        with self.assertRaisesRegex(ValueError, "outside `between`"):
+            LOGISTIC.continue_([[0.6]], between=(1, 2), parameter=2.5)
+        with self.assertRaisesRegex(ValueError, "dimension = 0"):
+            analysis.Map(lambda z: z, dimension=0)
+
+    def test_an_angle_is_one(self):
+        turning = analysis.Map(lambda z: [(z[0] + 2 * np.pi / 3) % (2 * np.pi)], dimension=1, angles={0: 2 * np.pi},
+                               jacobian=lambda z: [[1.0]])
+        found = turning.cycles(3, starts=[[0.5], [0.5 - 2 * np.pi / 3]])  # one cycle, whole turns apart
+        self.assertEqual([cycle.period for cycle in found], [3])
+        self.assertEqual(found[0].stability, "neutral")
+
+
+if __name__ == "__main__":
+    unittest.main()

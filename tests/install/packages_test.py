@@ -18,7 +18,8 @@ ROOT, VERSION = Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
 #: The file that says how old it may be is past its date where a mirror of unstable is a snapshot.
 ANY_DATE = 'Acquire::Check-Valid-Until "false";'
 FIGURES = "python3-swirl-figures"
-NAMES = {"swirl", FIGURES, "libswirl-dev"}
+MODULE = "python3-swirl"
+NAMES = {"swirl", FIGURES, MODULE, "libswirl-dev"}
 
 
 def told(*command, **options):
@@ -76,6 +77,8 @@ class Packages(unittest.TestCase):
         self.assertNotIn("-dev", needed)
         self.assertIn("python3-matplotlib", field(self.packages[FIGURES], "Depends"))
         self.assertIn("libeigen3-dev", field(self.packages["libswirl-dev"], "Depends"))
+        for package in ("python3-numpy", "python3 (<<", "libhdf5"):  # of the interpreter that it was compiled for
+            self.assertIn(package, field(self.packages[MODULE], "Depends"))
 
     def test_what_is_in_them(self):
         program, figures, library = (files_below(self.unpacked(name)) for name in ("swirl", FIGURES, "libswirl-dev"))
@@ -87,7 +90,13 @@ class Packages(unittest.TestCase):
                                       "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/tutorial.md"}, program)
         self.assertIn(f"{libraries}/swirl/swirl_mpi.so", program)
         self.assertIn("usr/share/swirl/notebooks-export/plot_record.py", figures)
-        self.assertFalse([name for name in program | figures | library if "__pycache__" in name])
+        module = files_below(self.unpacked(MODULE))
+        self.assertFalse([name for name in program | figures | library | module if "__pycache__" in name])
+        self.assertEqual({name.rsplit("/", 1)[0] for name in module if not name.startswith("usr/share/doc")},
+                         {"usr/lib/python3/dist-packages/swirl"})
+        self.assertLessEqual({f"usr/lib/python3/dist-packages/swirl/{name}" for name in
+                              ("__init__.py", "__init__.pyi", "_commands.py", "_places.py", "py.typed", "scene.pyi")}, module)
+        self.assertFalse(module & (program | figures | library))
         self.assertLessEqual({f"{libraries}/libswirl_map.a", f"{libraries}/cmake/Swirl/SwirlConfig.cmake",
                               "usr/include/swirl/analysis/section_map.hpp"}, library)
         for name in NAMES:
@@ -138,11 +147,12 @@ class Packages(unittest.TestCase):
         told("mmdebstrap", "--quiet", "--variant=apt", f"--aptopt={ANY_DATE}", release, root)
         shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
         (root / "packages").mkdir()
-        for name in ("swirl", FIGURES):
+        installed = ("swirl", FIGURES, MODULE)
+        for name in installed:
             shutil.copy(self.packages[name], root / "packages")
         with processes_seen_in(root):
             self.install_work_and_purge(root)
-        own = set().union(*(files_below(self.unpacked(name)) for name in ("swirl", FIGURES)))
+        own = set().union(*(files_below(self.unpacked(name)) for name in installed))
         self.assertEqual({name for name in own if (root / name).exists()}, set())
         elsewhere = ("packages/", "var/log/", "var/lib/apt/")
         left = {name for name in files_below(root) if "swirl" in name and not name.startswith(elsewhere)}
@@ -154,13 +164,18 @@ class Packages(unittest.TestCase):
                         "DEBIAN_FRONTEND=noninteractive", *command)
         inside("apt-get", "update")
         inside("apt-get", "install", "--yes", "--no-install-recommends",
-               *(f"/packages/{self.packages[name].name}" for name in ("swirl", FIGURES)))
+               *(f"/packages/{self.packages[name].name}" for name in ("swirl", FIGURES, MODULE)))
         present = set(inside("dpkg-query", "--show", "--showformat=${Package}\n").split())
         self.assertEqual(present & {"libswirl-dev", "python3-nbformat", "ffmpeg", "libhdf5-dev", "libtbb-dev"}, set())
         self.assertIn("chaotic", inside("swirl", "tour", "-o", "/root/tour.h5"))
         inside("swirl", "plot", "/root/tour.h5", "-o", "/root/tour.png")
         self.assertTrue((root / "root/tour.png").read_bytes().startswith(b"\x89PNG"))
-        inside("apt-get", "purge", "--yes", "swirl", FIGURES)
+        scene = "swirl.Scene(sides=6, alpha=0.635, beta=0.5, mu=0.5, restitution=0.95)"
+        told_by_python = inside("python3", "-c", f"import swirl; print(swirl.classify({scene}))")
+        self.assertIn("quasi-steady", told_by_python)
+        self.assertIn("period 8", told_by_python)
+        inside("python3", "-c", f"import swirl; swirl.simulate({scene}, collisions=50).plot().savefig('/root/orbit.png')")
+        inside("apt-get", "purge", "--yes", "swirl", FIGURES, MODULE)
 
     @unittest.skipUnless(shutil.which("lintian"), "lintian is not installed: what it says is not tested")
     def test_lintian_finds_no_error(self):

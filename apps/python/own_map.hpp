@@ -1,7 +1,11 @@
 // A map of the user's own, z -> F(z; p) by a Python function, given to analysis/: its cycles, branches and exponents.
 #pragma once
 
-#include <pybind11/pybind11.h>
+namespace pybind11 {
+
+class module_;
+
+}  // namespace pybind11
 
 namespace swirl::python {
 

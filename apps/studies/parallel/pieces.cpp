@@ -3,6 +3,7 @@
 #include "analysis/threads.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include <chrono>
 #include <future>
@@ -46,7 +47,8 @@ bool run_pieces(std::size_t count, const std::string& task, const RunControl& co
     pieces->control = control;
     std::packaged_task<void()> run_all([pieces, count, &report] {
         analysis::on_threads(pieces->control.threads, [&] {
-            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { run_piece(*pieces, i, report); });
+            const auto run = [&](std::size_t i) { run_piece(*pieces, i, report); };
+            tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner());  // each may be a long one
         });
     });
     std::future<void> ended = run_all.get_future();

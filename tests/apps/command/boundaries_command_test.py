@@ -1,13 +1,14 @@
 """swirl boundaries, from outside: boundaries_command_test.py SWIRL [PLACES]"""
 
 import functools
+import json
 import math
 import sys
 import unittest
 
 import numpy
 
-from boundary_planes import HEXAGON, SMALL, Searched, document, place
+from boundary_planes import BORDERS, HEXAGON, SMALL, Searched, document, place
 from driving import Keeping, Refusing, run
 
 #: On each curve, compared with `continue` across it: a second argument, of the nightly test.
@@ -231,8 +232,11 @@ class Boundaries(Searched):
             self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
 
     def test_equal_bytes_whatever_the_threads(self):
-        answers = [run(f"boundaries {SMALL} --json --threads {threads}").stdout for threads in (1, 2)]
-        self.assertEqual(*answers)
+        """The second plane has curves of several kinds and periods, which are followed side by side, and lead to others."""
+        for arguments in (SMALL, f"{BORDERS} --max-period 2 --lines 1"):
+            answers = [run(f"boundaries {arguments} --json --threads {threads}").stdout for threads in (1, 3)]
+            self.assertEqual(*answers)
+        self.assertGreater(len({(curve["kind"], curve["period"]) for curve in json.loads(answers[0])["curves"]}), 4)
 
     def test_a_disk_that_loses_energy_has_no_fixed_point_whose_end_could_be_followed(self):
         """Between impacts a disk keeps |u_n|, and e < 1 takes of it."""

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace swirl::apps::recurrence {
 
@@ -38,9 +40,14 @@ recurrence (--cross, --cross-column) has the first series in its rows and no RC.
 recurrence times what the border of the matrix is: they end there, unless --join-gaps. An orbit that ends early is quantified as
 far as it came: the outcome says why, and the exit code is 3.
 
+--sample-pairs K is for series so long that n^2 pairs are out of reach: RR, DET, L, LAM, TT and RC are estimated from K pairs
+drawn at random, each with its standard error (some 4 errors hold nearly always); the other measures need all pairs and are
+left out.
+
 Examples:
   swirl recurrence --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 2000
-  swirl recurrence --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --observable psi,chi --threshold 1e-6)";
+  swirl recurrence --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --observable psi,chi --threshold 1e-6
+  swirl recurrence --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 300000 --sample-pairs 100000)";
 
 namespace {
 
@@ -56,6 +63,19 @@ void check_sizes(const RecurrenceOptions& options, int window, const recurrence:
             fmt::format("--image = {} is outside its range: 1 to {}, the number of points", options.image, shortest));
 }
 
+/// An estimate from random pairs, in place of counts of all.
+void estimate(const RecurrenceOptions& options, const recurrence::Points& points, Quantification& result) {
+    const double delta = result.thresholds.delta.front();
+    result.sampled = recurrence::sample_pairs(points, delta, static_cast<std::uint64_t>(options.sampled_pairs),
+                                              options.sample_seed, result.conventions);
+    const recurrence::Measures& m = result.sampled->measures;
+    // RC has the pairs that a window of 1 leaves, and is with <=.
+    const bool tells_rc = recurrence::theiler_window(result.conventions, false) == 1 && !result.conventions.strict;
+    const double n = static_cast<double>(points.count);
+    result.results.push_back(
+        {delta, m, tells_rc ? (m.RR * (n - 1) + 1) / n : std::nan(""), tells_rc ? m.RR : std::nan("")});
+}
+
 Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints& points,
                         const std::optional<RecurrencePoints>& cross) {
     Quantification result;
@@ -65,6 +85,10 @@ Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints
     check_sizes(options, recurrence::theiler_window(result.conventions, cross.has_value()), points.points,
                 cross ? cross->points : points.points);
     const auto& deltas = result.thresholds.delta;
+    if (options.sampled_pairs > 0) {
+        estimate(options, points.points, result);
+        return result;
+    }
     result.lines = cross ? recurrence::count_cross_lines(points.points, cross->points, deltas, result.conventions)
                          : recurrence::count_lines(points.points, deltas, result.conventions);
     recurrence::Settings paper;  // RC is always with <=
@@ -87,17 +111,39 @@ Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints
     return result;
 }
 
+std::size_t thresholds_given(const RecurrenceOptions& options) {
+    std::size_t values = 0;
+    for (const auto* texts : {&options.thresholds, &options.thresholds_std, &options.rates})
+        for (const auto& text : *texts) values += values_in(text);
+    return values;
+}
+
+/// What is not for random pairs.
+void check_sampling(const RecurrenceOptions& options) {
+    if (options.sampled_pairs == 0 && options.sample_seed != 1)
+        throw BadInput(fmt::format("sample-seed = {} is of --sample-pairs", options.sample_seed));
+    if (options.sampled_pairs == 0) return;
+    const auto refuse = [&](const std::string& why) {
+        throw BadInput(fmt::format("sample-pairs = {}: {}", options.sampled_pairs, why));
+    };
+    if (!options.cross.empty() || !options.cross_column.empty())
+        refuse("pairs are drawn of one series, not of --cross");
+    if (options.image > 0) refuse("--image is of all pairs");
+    if (!options.rates.empty()) refuse("--recurrence-rate looks at all pairs: give --threshold or --threshold-std");
+    if (thresholds_given(options) > 1) refuse("give one threshold");
+    const std::string obstacle = recurrence::obstacle_to_sampling(options.conventions.settings());
+    if (!obstacle.empty()) refuse(obstacle);
+}
+
 void check_flags(const RecurrenceOptions& options) {
     options.conventions.settings();
     if (options.output.accuracy() != Accuracy::double_precision && options.input.kind() != InputKind::scene)
         throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
+    check_sampling(options);
     if (options.image == 0) return;
     if (options.output.record.empty() && !options.output.json)
         throw BadInput("--image goes into a record or a document: give -o FILE.h5 or --json");
-    std::size_t values = 0;
-    for (const auto* texts : {&options.thresholds, &options.thresholds_std, &options.rates})
-        for (const auto& text : *texts) values += values_in(text);
-    if (values > 1) throw BadInput("--image takes one threshold");
+    if (thresholds_given(options) > 1) throw BadInput("--image takes one threshold");
 }
 
 }  // namespace
@@ -135,6 +181,12 @@ void RecurrenceOptions::add_to(Flags& command) {
         ->type_name("FILE");
     recurrence.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
         ->type_name("NAME");
+    recurrence
+        .add_option("--sample-pairs", sampled_pairs,
+                    "estimate RR, DET, L, LAM, TT and RC from K random pairs of points, with errors")
+        ->type_name("K")
+        ->transform(whole_number(1, 1'000'000'000'000));
+    recurrence.add_option("--sample-seed", sample_seed, "of these pairs (default 1)")->type_name("SEED");
     recurrence.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
         ->type_name("PIXELS")
         ->transform(whole_number(1, 20'000));

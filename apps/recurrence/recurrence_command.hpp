@@ -6,6 +6,7 @@
 #include "apps/input/input_options.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +40,9 @@ struct RecurrenceOptions {
     bool join_gaps = false;
     std::string cross;  ///< file of the second series
     std::string cross_column;
-    std::size_t image = 0;  ///< pixels; 0: none
+    std::size_t image = 0;           ///< pixels; 0: none
+    std::int64_t sampled_pairs = 0;  ///< random pairs that stand for all; 0: all pairs
+    std::uint64_t sample_seed = 1;
 
     void add_to(Flags& command);
 };

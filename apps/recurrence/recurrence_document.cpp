@@ -12,6 +12,9 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace swirl::apps::recurrence {
 
@@ -43,6 +46,19 @@ Table<ThresholdResult> measure_table() {
              {"RC", &ThresholdResult::rc, "1", "recurrence rate of Sun 2019, main diagonal counted"},
              {"RC_without_diagonal", &ThresholdResult::rc_without_diagonal, "1",
               "the same over pairs of different points"}}};
+}
+
+/// Of an estimate: standard errors, as members named as the measures.
+Settings errors_of(const RecurrenceReport& report) {
+    const Measures& errors = report.result.sampled->errors;
+    const double rc = report.result.results.front().rc, n = static_cast<double>(report.points.points.count);
+    return {{"RR", errors.RR},
+            {"DET", errors.DET},
+            {"L", errors.L},
+            {"LAM", errors.LAM},
+            {"TT", errors.TT},
+            {"RC", std::isnan(rc) ? std::nan("") : errors.RR * (n - 1) / n},
+            {"RC_without_diagonal", std::isnan(rc) ? std::nan("") : errors.RR}};
 }
 
 Settings settings_of(const RecurrenceReport& report) {
@@ -87,6 +103,10 @@ Settings settings_of(const RecurrenceReport& report) {
         {"points", static_cast<std::int64_t>(report.points.points.count)},
         {"points_left_out", static_cast<std::int64_t>(report.points.left_out)}};
     settings.insert(settings.end(), rest.begin(), rest.end());
+    if (options.sampled_pairs > 0) {
+        settings.emplace_back("sample_pairs", options.sampled_pairs);
+        settings.emplace_back("sample_seed", options.sample_seed);
+    }
     if (cross) settings.emplace_back("cross_points", static_cast<std::int64_t>(report.cross->points.count));
     if (report.points.series) settings.emplace_back("join_gaps", options.join_gaps);
     if (!options.period.empty()) settings.emplace_back("period", number_from<double>("period", options.period));
@@ -100,6 +120,11 @@ std::vector<std::string> notes_of(const RecurrenceReport& report) {
     if (report.result.thresholds.floored)
         notes.push_back(
             "the observable is constant to rounding: every pair recurs, the threshold is 1e-12 of its size");
+    if (report.result.sampled)
+        notes.push_back(
+            fmt::format("estimated from {} random pairs, of which {} recur; Lmax, DIV, ENTR, Vmax, VENTR, MRT, RTE and "
+                        "TREND need all pairs",
+                        report.result.sampled->pairs, report.result.sampled->recurrent));
     if (!report.points.enough) notes.push_back("the orbit ended before there was a pair of points");
     return notes;
 }
@@ -149,6 +174,11 @@ void write_json(const RecurrenceReport& report) {
             for (const auto& field : measure_table().fields)
                 if (field.in_json) json.member(field.name, std::nan(""));
         }
+        if (result.sampled) {
+            write_json(json, "standard_errors", errors_of(report));
+            json.member("pairs_sampled", static_cast<std::int64_t>(result.sampled->pairs));
+            json.member("pairs_recurrent", static_cast<std::int64_t>(result.sampled->recurrent));
+        }
         if (result.image) write_image(json, *result.image);
         json.list("notes", notes_of(report), JsonLayout::rows);
         write_json(json, "settings", settings_of(report));
@@ -164,6 +194,11 @@ void write_record(const RecordGroup& root, const RecurrenceReport& report) {
     write_attributes(root.group("settings"), settings_of(report));
     const RecordGroup group = root.group("recurrence");
     group.attribute("notes", fmt::format("{}", fmt::join(notes_of(report), "; ")));
+    if (result.sampled) {
+        apps::write_record(group, measure_table(), result.results);
+        write_attributes(root.group("standard_errors"), errors_of(report));
+        return;
+    }
     if (result.lines.empty()) return;
     apps::write_record(group, measure_table(), result.results);
     write_counts(group, "diagonal_lines", "diagonal_length", "number of diagonal lines by length", result.lines,
@@ -178,6 +213,18 @@ void write_record(const RecordGroup& root, const RecurrenceReport& report) {
     group.write<double>("image", {"row", "column"}, result.image->density,
                         {"1", "recurrence plot: share of recurrent pairs in each cell", {}});
 }
+
+namespace {
+
+/// " +- 0.002" behind a measure that is estimated.
+std::string error_in_words(const RecurrenceReport& report, const std::string& measure) {
+    for (const auto& [name, value] : errors_of(report))
+        if (const auto* error = std::get_if<double>(&value); name == measure && error && std::isfinite(*error))
+            return fmt::format(" +- {:.2g}", *error);
+    return "";
+}
+
+}  // namespace
 
 void print_table(const RecurrenceReport& report) {
     const auto& result = report.result;
@@ -194,6 +241,7 @@ void print_table(const RecurrenceReport& report) {
         if (!field.in_json) continue;
         fmt::print("\n{:<22}", field.name);
         for (const auto& row : result.results) fmt::print(" {:>18.12g}", std::get<double>(field.read(row)));
+        if (result.sampled) fmt::print("{}", error_in_words(report, field.name));
     }
     fmt::print("\n");
     for (const auto& note : notes_of(report)) fmt::print("note: {}\n", note);

@@ -4,6 +4,7 @@
 #include "analysis/recurrence/image.hpp"
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/measures.hpp"
+#include "analysis/recurrence/sampled_pairs.hpp"
 #include "apps/recurrence/recurrence_points.hpp"
 
 #include <optional>
@@ -25,6 +26,7 @@ struct Quantification {
     std::vector<analysis::recurrence::LineHistograms> lines;  ///< one entry a threshold; empty: too few points
     std::vector<ThresholdResult> results;                     ///< the same
     std::optional<analysis::recurrence::Image> image;
+    std::optional<analysis::recurrence::SampledPairs> sampled;  ///< what `results` are estimated from
 };
 
 struct RecurrenceReport {

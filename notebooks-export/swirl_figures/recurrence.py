@@ -137,6 +137,9 @@ def draw_into(figure, record, look):
         panels = figure.subplots(*((2, 1) if is_narrow(figure) else (1, 2)))
         _draw_over_thresholds(*panels, record)
         return list(panels)
+    if not record.has("recurrence", "diagonal_lines"):  # an estimate from random pairs
+        _write_measures(figure.subplots(), record)
+        return []
     width, table = width_of(figure), _TABLE * _small() / 72
     below = width < _BESIDE
     shape, ratios = (2, 1) if below else (1, 2), {} if below else {"width_ratios": (width - table, table)}

@@ -21,6 +21,7 @@ RECORDS = {
     "runs": (f"classify {STEADY} {SHORT} --runs 3", "shares"),
     "recurrence": (f"recurrence {STEADY} {SHORT} --image 40", "recurrence"),
     "of-a-record": ("recurrence landing.h5", "recurrence"),
+    "random-pairs": (f"recurrence {STEADY} {SHORT} --sample-pairs 5000", "recurrence"),
     "spectrum": (f"spectrum {HEXAGON} --alpha 0.635 --beta 0.5 {SHORT}", "spectrum"),
     "no-spectrum": (f"spectrum {STEADY} {SHORT}", "spectrum"),
     "positions": (f"spectrum {HEXAGON} --alpha 0.635 --beta 0.5 {SHORT} --observable x", "spectrum"),

@@ -19,6 +19,44 @@ MEASURES = "RR DET L Lmax DIV ENTR LAM TT Vmax VENTR MRT RTE TREND RC".split()
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
+class RandomPairs(InFolder):
+    ROSSLER = f"--series {REFERENCES / 'rossler_3000.txt'} --dimension 3 --delay 6 --threshold 1.2"
+
+    def test_an_estimate_lies_by_the_exact_measures_and_says_what_it_is(self):
+        exact = document(f"recurrence {self.ROSSLER}")
+        for seed in (1, 2, 3):
+            found = document(f"recurrence {self.ROSSLER} --sample-pairs 100000 --sample-seed {seed}")
+            errors = found["standard_errors"]
+            self.assertEqual(list(errors), ["RR", "DET", "L", "LAM", "TT", "RC", "RC_without_diagonal"])
+            for name, error in errors.items():
+                self.assertGreater(error, 0, name)
+                self.assertLess(abs(found[name] - exact[name]), 4.5 * error, (name, seed))
+            for name in "Lmax DIV ENTR Vmax VENTR MRT RTE TREND".split():
+                self.assertIsNone(found[name], name)
+            self.assertEqual((found["pairs_sampled"], found["settings"]["sample_pairs"], found["settings"]["sample_seed"]),
+                             (100_000, 100_000, seed))
+            self.assertAlmostEqual(found["pairs_recurrent"] / 100_000, found["RR"], places=12)
+            self.assertTrue(any("estimated from 100000 random pairs" in note for note in found["notes"]))
+        self.assertNotIn("standard_errors", exact)
+
+    def test_threads_change_nothing_and_people_see_errors(self):
+        command = f"recurrence {self.ROSSLER} --sample-pairs 20000"
+        one, three = (run(f"{command} --json --threads {threads}").stdout for threads in (1, 3))
+        self.assertEqual(one, three)
+        self.assertRegex(run(command).stdout, r"\nRR +[0-9.]+ \+- [0-9.e-]+\n")
+
+    def test_what_needs_all_pairs_is_refused(self):
+        for extra, mention in (("--image 20 --json", "--image"), ("--threshold 1,2", "one threshold"), ("--theiler 0", "theiler"),
+                               ("--convention pyunicorn", "window"), ("--border-lines discarded", "border-lines"),
+                               ("--cross-column 1", "--cross"), ("--sample-pairs 0", "sample-pairs")):
+            base = self.ROSSLER if "--threshold" not in extra else self.ROSSLER.replace("--threshold 1.2", "")
+            result = run(f"recurrence {base} {'' if 'sample' in extra else '--sample-pairs 100'} {extra}")
+            self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), (extra, result.stderr))
+            self.assertIn(mention, result.stderr)
+        result = run(f"recurrence {self.ROSSLER} --sample-seed 4")
+        self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1))
+
+
 class PublishedRecurrence(unittest.TestCase):
     """RecurrenceAnalysis.jl's tests, which were checked against the CRP Toolbox (tests/references/README.md)."""
 

@@ -16,8 +16,6 @@
 
 namespace swirl::studies::bifurcation_curves {
 
-namespace {
-
 /// What the starting points of one round have led to, as pieces find it. Pieces that a stop leaves alone share it.
 class Round {
 public:
@@ -43,8 +41,6 @@ private:
     ReportDone report_;
     std::size_t done_ = 0;
 };
-
-}  // namespace
 
 /// Its state. Starting points come in rounds: those of a round are searched by kind, the kinds side by side, and what
 /// is found is put in the order of its starting points; where the curves of a round lead is the next. So what is found
@@ -132,9 +128,9 @@ private:
 
     std::vector<StartingPoint> ends_of_all(std::vector<Followed> curves) {
         const auto shared = std::make_shared<const std::vector<Followed>>(std::move(curves));
-        std::vector<std::pair<std::size_t, std::size_t>> parts;  // of which curve, which
+        std::vector<std::pair<std::size_t, EndPart>> parts;  // each with its curve
         for (std::size_t c = 0; c < shared->size(); ++c)
-            for (std::size_t part = 0; part < parts_of_ends((*shared)[c]); ++part) parts.emplace_back(c, part);
+            for (const EndPart& part : parts_of_ends((*shared)[c])) parts.emplace_back(c, part);
         std::vector<CurveEnds> ends(parts.size());
         const auto look = [equations = equations_, shared, parts, &ends](std::size_t i) -> KeepResult {
             const auto& [curve, part] = parts[i];

@@ -173,21 +173,17 @@ std::vector<StartingPoint> starting_points_of_runs(const Scene<double>& scene, c
 }
 
 std::vector<StartingPoint> starting_points_about(const Scene<double>& scene, const Plane& plane,
-                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p,
+                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p, int axis,
                                                  const LineOptions& options) {
     constexpr double reach = 0.1;
-    std::vector<StartingPoint> starting_points;
-    for (int axis = 0; axis < 2 && !options.control.is_stopped(); ++axis) {
-        const Line line{axis, p};
-        Plane near = plane;
-        auto& range = near.axes[static_cast<std::size_t>(axis)];
-        const double width = range.high - range.low;
-        range.low = std::max(range.low, p[axis] - reach * width);
-        range.high = std::min(range.high, p[axis] + reach * width);
-        const auto found = starting_points_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
-        starting_points.insert(starting_points.end(), found.begin(), found.end());
-    }
-    return starting_points;
+    if (options.control.is_stopped()) return {};
+    const Line line{axis, p};
+    Plane near = plane;
+    auto& range = near.axes[static_cast<std::size_t>(axis)];
+    const double width = range.high - range.low;
+    range.low = std::max(range.low, p[axis] - reach * width);
+    range.high = std::min(range.high, p[axis] + reach * width);
+    return starting_points_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
 }
 
 std::vector<StartingPoint> starting_points_on_lines(const Scene<double>& scene, const Plane& plane,

@@ -48,9 +48,9 @@ struct LineOptions {
 std::vector<StartingPoint> starting_points_on_lines(const Scene<double>& scene, const Plane& plane,
                                                     const LineOptions& options);
 
-/// Starting points from a cycle at p, followed along both lines through it for a tenth of the plane.
+/// Starting points from a cycle at p, followed along one axis of the plane for a tenth of it each way.
 std::vector<StartingPoint> starting_points_about(const Scene<double>& scene, const Plane& plane,
-                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p,
+                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p, int axis,
                                                  const LineOptions& options);
 
 /// A run of a map: start `run` of the scene at p, with the map's seed and speed.

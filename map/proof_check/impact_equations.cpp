@@ -160,8 +160,9 @@ StepEquationsOver<S> step_equations(const SceneOver<S>& scene, const StatedStep&
 
 template StepEquationsOver<Ball> step_equations(const SceneOver<Ball>&, const StatedStep&,
                                                 const StepVariablesOver<Ball>&, std::vector<Inequality>*);
-using Ranging = intervals::Curved<2>;
-template StepEquationsOver<Ranging> step_equations(const SceneOver<Ranging>&, const StatedStep&,
-                                                   const StepVariablesOver<Ranging>&, std::vector<Inequality>*);
+template StepEquationsOver<intervals::Curved<2>> step_equations(const SceneOver<intervals::Curved<2>>&,
+                                                                const StatedStep&,
+                                                                const StepVariablesOver<intervals::Curved<2>>&,
+                                                                std::vector<Inequality>*);
 
 }  // namespace swirl::proof_check

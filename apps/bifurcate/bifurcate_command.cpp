@@ -55,7 +55,7 @@ void BifurcateOptions::add_to(Flags& command) {
     add_tail_flags(command, settings,
                    {"impacts before those that are kept, at most (default 2500)",
                     "impacts that are kept, at most; 64 or more (default 500)", 1'000'000'000});
-    add_risk_flag(command, risk);
+    add_risk_flags(command, risk, error);
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
@@ -67,7 +67,8 @@ DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRang
     SceneOptions scene = options.scene;
     scene.set(along.name, fmt::format("{:.17g}", along.low));
     return {scene.scene<double>(), along,          options.settings,       options.start.speed(),
-            options.start.seed(),  options.starts, options.longest_branch, options.risk};
+            options.start.seed(),  options.starts, options.longest_branch, options.risk,
+            options.error};
 }
 
 namespace {
@@ -79,7 +80,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
     if (!options.start.is_random())
         throw BadInput("a diagram's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
-    require_no_risk_of_all(options.risk, options.settings.exhaustive);
+    check_risk(options.risk, options.error, options.settings.exhaustive);
     if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
     const DiagramSettings settings = settings_of(options, along);
     for (const double value : {along.low, along.high}) {

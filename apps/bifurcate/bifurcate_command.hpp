@@ -9,6 +9,7 @@
 #include "apps/studies/diagrams/diagram.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct BifurcateOptions {
     bool follow = false;
     bool branches = false;
     int longest_branch = 12;
-    double risk = 0;  ///< of chaos that is called before the limits
+    double risk = 0;                                         ///< of chaos that is called before the limits
+    double error = std::numeric_limits<double>::infinity();  ///< of their mean S, to which it is followed on
 
     void add_to(Flags& command);
 };

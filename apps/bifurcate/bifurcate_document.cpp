@@ -211,7 +211,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
                       {"follow", std::int64_t{options.follow}},
                       {"branches", std::int64_t{options.branches}},
                       {"longest_branch", std::int64_t{options.longest_branch}}};
-    if (options.risk > 0) settings.emplace_back("risk", options.risk);
+    add_risk_settings(settings, options.risk, options.error);
     return settings;
 }
 

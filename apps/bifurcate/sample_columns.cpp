@@ -17,7 +17,9 @@ namespace {
 
 RiskQuestion question_of(const DiagramSettings& of) {
     const auto starts = static_cast<std::size_t>(of.starts);
-    return {of.along.columns.size() * starts, starts, of.risk, of.seed, early_look(limits_of(of.samples))};
+    const analysis::ClassifyOptions limits = limits_of(of.samples);
+    return {
+        of.along.columns.size() * starts, starts, of.risk, of.seed, early_look(limits), of.error, last_look(limits)};
 }
 
 /// A diagram whose columns are sampled.
@@ -52,7 +54,8 @@ std::optional<std::vector<SeenRun>> follow(SampledDiagram& sampled, std::span<co
     std::vector<SeenRun> seen;
     for (const std::size_t run : runs) {
         const Attractor& attractor = attractor_of(diagram, run, question.each);
-        seen.push_back(seen_of(attractor.kind, attractor.outcome, attractor.largest_exponent));
+        seen.push_back(
+            seen_of(attractor.kind, attractor.outcome, attractor.largest_exponent, attractor.mean_errors.per_time));
     }
     return seen;
 }

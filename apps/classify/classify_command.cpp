@@ -64,7 +64,7 @@ void ClassifyCommandOptions::add_to(Flags& command) {
     start.add_to(command);
     output.add_to(command);
     add_classify_flags(command, settings);
-    add_risk_flag(command, risk);
+    add_risk_flags(command, risk, error);
     command
         .add_option("--max-period", settings.period.max_period,
                     "longest period looked for (default 4096, of a series 256)")
@@ -110,8 +110,9 @@ NamedMode name_at_risk(const ClassifyCommandOptions& options, const SceneStart& 
     naming.look = look_of_one(options.risk, options.settings);
     if (naming.look > 0) {
         NamedMode named = name_alone(start, naming, samples);
-        const SeenRun seen = seen_of(named.verdict.kind, named.outcome, named.verdict.largest_exponent);
-        if (seen.known || seen.chaotic) return named;
+        const SeenRun seen =
+            seen_of(named.verdict.kind, named.outcome, named.verdict.largest_exponent, named.mean_errors.per_time);
+        if (seen.known || (seen.chaotic && !(seen.mean_error > options.error))) return named;
         if (samples) *samples = {};
         naming.look = 0;
     }
@@ -134,14 +135,14 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
-        write_verdict(root.group("mode"), named, options.settings, options.risk);
+        write_verdict(root.group("mode"), named, options.settings, options.risk, options.error);
         write_tail(root, samples.points, named.impacts);
         record->finish();
     }
     if (options.output.json) {
         print_document([&](JsonWriter& json) {
             write_scene(json, scene, options.scene, &options.start);
-            write_verdict(json, named, options.settings, options.risk);
+            write_verdict(json, named, options.settings, options.risk, options.error);
         });
     } else if (!options.output.quiet) {
         const auto units = options.scene.units();
@@ -154,7 +155,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
 }  // namespace
 
 int classify_scene(ClassifyCommandOptions& options) {
-    require_no_risk_of_all(options.risk, options.settings.exhaustive);
+    check_risk(options.risk, options.error, options.settings.exhaustive);
     if (options.runs > 0) return classify_runs(options);
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     if (options.risk > 0 && !(options.input.record.empty() && options.input.series.file.empty()))

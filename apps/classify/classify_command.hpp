@@ -9,6 +9,7 @@
 #include "apps/studies/modes/name_mode.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace swirl::apps::classify {
@@ -19,8 +20,9 @@ struct ClassifyCommandOptions {
     OutputOptions output;
     analysis::ClassifyOptions settings;
     ClassifyInput input;
-    bool verbose = false;   ///< the table for people has the evidence
-    double risk = 0;        ///< of chaos that is called before the limits
+    bool verbose = false;                                    ///< the table for people has the evidence
+    double risk = 0;                                         ///< of chaos that is called before the limits
+    double error = std::numeric_limits<double>::infinity();  ///< of their mean S, to which it is followed on
     std::int64_t runs = 0;  ///< random starts; 0: one verdict, on the start that is given
 
     void add_to(Flags& command);

@@ -103,7 +103,8 @@ struct FollowedRuns {
     const Scene<double>& scene;
     HandOut& hand_out;
     std::vector<RunVerdict> results;
-    std::vector<char> done, at_look;  ///< 1 of those whose verdict is kept; of these, that a look gave
+    std::vector<char> done;          ///< 1 of those whose verdict is kept
+    std::vector<std::int64_t> look;  ///< of each the look that gave its verdict; 0: the limits
 };
 
 /// Runs that were followed, to the look (0: to the limits). None if it was interrupted.
@@ -118,6 +119,7 @@ std::optional<std::vector<SeenRun>> follow(FollowedRuns& followed, std::span<con
         const std::size_t run = numbers.run(piece.piece);
         followed.results[run] = unpacked<RunVerdict>(piece.bytes);
         followed.done[run] = look == 0 ? 1 : 0;
+        followed.look[run] = look;
     };
     const bool all =
         followed.hand_out.run(pieces, options.output.threads, work_of(options, followed.scene), progress, keep);
@@ -125,7 +127,7 @@ std::optional<std::vector<SeenRun>> follow(FollowedRuns& followed, std::span<con
     std::vector<SeenRun> seen;
     for (const std::size_t run : runs) {
         const RunVerdict& result = followed.results[run];
-        seen.push_back(seen_of(result.kind, result.outcome, result.largest_exponent));
+        seen.push_back(seen_of(result.kind, result.outcome, result.largest_exponent, result.mean_errors.per_time));
     }
     return seen;
 }
@@ -139,15 +141,16 @@ void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scen
                           hand_out,
                           std::vector<RunVerdict>(count),
                           std::vector<char>(count, 0),
-                          std::vector<char>(count, 0)};
+                          std::vector<std::int64_t>(count, 0)};
     std::vector<std::size_t> all(count);
     std::iota(all.begin(), all.end(), std::size_t{0});
     RunsAtRisk runs;
     runs.follow = [&](std::span<const std::size_t> some, std::int64_t look) { return follow(followed, some, look); };
-    runs.keep = [&](std::size_t run) { followed.done[run] = followed.at_look[run] = 1; };
+    runs.keep = [&](std::size_t run) { followed.done[run] = 1; };
     // Each is a cell of its own: one escape tells of all runs of a scene alike, as the sample does.
-    const auto at_risk =
-        follow_at_risk({count, 1, options.risk, options.start.seed(), early_look(options.settings)}, all, runs);
+    const auto at_risk = follow_at_risk({count, 1, options.risk, options.start.seed(), early_look(options.settings),
+                                         options.error, last_look(options.settings)},
+                                        all, runs);
     if (at_risk && options.risk > 0) found.risk = {at_risk->evidence};
     std::vector<char> is_sampled(count, at_risk && at_risk->evidence.impacts > 0 ? 0 : 1);
     if (at_risk)
@@ -155,10 +158,10 @@ void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scen
     for (const std::size_t run : all) {
         if (!followed.done[run]) continue;
         const RunVerdict& result = followed.results[run];
-        const bool is_called = followed.at_look[run] != 0 && result.kind == analysis::Kind::chaotic;
+        const bool is_called = followed.look[run] != 0 && result.kind == analysis::Kind::chaotic;
         if (is_called && !at_risk) continue;  // interrupted: what it was called on is not known any more
         found.runs.push_back(result);
-        found.called.push_back(is_called ? 1 : 0);
+        found.called.push_back(is_called ? followed.look[run] : 0);
         if (is_sampled[run]) found.sample.push_back(result);
     }
 }
@@ -167,7 +170,7 @@ void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scen
 NamedMode verdict_on(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found,
                      std::size_t run) {
     NamingOptions naming{options.settings, options.output.accuracy(), interruption()};
-    if (found.called[run]) naming.look = found.risk.front().impacts;
+    naming.look = found.called[run];
     return name_alone({scene, random_start(scene.beta, options.start.speed(), found.runs[run].seed, 0)}, naming);
 }
 
@@ -353,7 +356,7 @@ std::string points_of(const ClassifyCommandOptions& options, const Scene<double>
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        if (found.first) write_verdict(json, *found.first, options.settings, options.risk);
+        if (found.first) write_verdict(json, *found.first, options.settings, options.risk, options.error);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
         json.key("escape");
@@ -369,7 +372,7 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
 void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, const Scene<double>& scene,
                 const RunsFound& found) {
     write_scene(root, scene, &options.start);
-    if (found.first) write_verdict(root.group("mode"), *found.first, options.settings, options.risk);
+    if (found.first) write_verdict(root.group("mode"), *found.first, options.settings, options.risk, options.error);
     const RecordGroup attractors = root.group("attractors");
     write_coordinate_names(attractors, static_cast<Eigen::Index>(dimension_of(scene)));
     write_record(attractors, attractors_table(found, dimension_of(scene)), found.attractors);

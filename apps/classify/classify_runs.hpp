@@ -7,6 +7,7 @@
 #include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/modes/escape.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace swirl::apps::classify {
 /// What was found, of the runs that are finished: all of them, unless interrupted.
 struct RunsFound {
     std::vector<RunVerdict> runs;             ///< by seed
-    std::vector<char> called;                 ///< of each 1 if its chaos was called before the limits
+    std::vector<std::int64_t> called;         ///< of each the look at which its chaos was called; 0: at the limits
     std::vector<RunVerdict> sample;           ///< those by which the rate of escape is told: all, or the risk's sample
     std::vector<SharedAttractor> attractors;  ///< the most shared first
     std::optional<NamedMode> first;       ///< the verdict on the first attractor's representative, unless interrupted

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -34,17 +35,32 @@ Table<RiskEvidence> risk_table() {
 
 }  // namespace
 
-void add_risk_flag(Flags& command, double& risk) {
+void add_risk_flags(Flags& command, double& risk, double& error) {
     command
         .add_option("--risk", risk,
                     "call chaos before the limits, where less than a share P of such runs differs there (default 0)")
         ->type_name("P")
         ->check(number_below(0, 1));
+    command
+        .add_option("--error", error,
+                    "with --risk: follow mean S of such a run until its error is E at most, or to the limits")
+        ->type_name("E");
 }
 
-void require_no_risk_of_all(double risk, bool exhaustive) {
+void check_risk(double risk, double error, bool exhaustive) {
+    if (!(error > 0)) throw BadInput(fmt::format("error = {:g} is outside its range: above 0", error));
+    if (std::isfinite(error) && risk == 0)
+        throw BadInput(
+            fmt::format("error = {:g} is of means over chaos that is called early: give --risk P, too; at the limits "
+                        "mean_S_error says what the error is",
+                        error));
     if (risk > 0 && exhaustive)
         throw BadInput(fmt::format("risk = {:g} and exhaustive are both given: one leaves impacts out", risk));
+}
+
+void add_risk_settings(Settings& settings, double risk, double error) {
+    if (risk > 0) settings.emplace_back("risk", risk);
+    if (std::isfinite(error)) settings.emplace_back("error", error);
 }
 
 void write_risk(JsonWriter& json, const std::vector<RiskEvidence>& evidence) {

@@ -13,11 +13,14 @@ namespace swirl::apps {
 
 using studies::RiskEvidence;
 
-/// --risk P: 0 or more, below 1; `risk` keeps what is not given.
-void add_risk_flag(Flags& command, double& risk);
+/// --risk P: 0 or more, below 1; --error E: above 0. They keep what is not given.
+void add_risk_flags(Flags& command, double& risk, double& error);
 
-/// Where all impacts are asked for none can be left out. @throws BadInput
-void require_no_risk_of_all(double risk, bool exhaustive);
+/// Where all impacts are asked for none can be left out, and only means of runs that are called early are followed on.
+/// @throws BadInput
+void check_risk(double risk, double error, bool exhaustive);
+/// Adds the settings `risk` and `error` where they are given.
+void add_risk_settings(Settings& settings, double risk, double error);
 
 /// Member `risk_evidence`, a list: runs, impacts, least_exponent, followed, judged, changed, bound.
 void write_risk(JsonWriter& json, const std::vector<RiskEvidence>& evidence);

@@ -2,6 +2,7 @@
 
 #include "apps/branches/section_point.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/modes/verdict_in_words.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
@@ -17,7 +18,7 @@ namespace swirl::apps {
 
 namespace {
 
-Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s, double risk) {
+Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s, double risk, double error) {
     Settings settings{{"transient", s.transient},
                       {"collisions", s.collisions},
                       {"exhaustive", s.exhaustive},
@@ -29,7 +30,7 @@ Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s,
                       {"residual", s.period.residual},
                       {"neutral", analysis::neutral_margin},
                       {"accuracy", std::string(name_of(named.accuracy))}};
-    if (risk > 0) settings.emplace_back("risk", risk);
+    add_risk_settings(settings, risk, error);
     return settings;
 }
 
@@ -79,16 +80,17 @@ Table<analysis::Evidence> evidence_table() {
 
 }  // namespace
 
-void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings, double risk) {
+void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings, double risk,
+                   double error) {
     write_members(json, verdict_table(), named);
     write_evidence(json, named.verdict.evidence);
-    write_json(json, "settings", settings_of(named, settings, risk));
+    write_json(json, "settings", settings_of(named, settings, risk, error));
 }
 
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings,
-                   double risk) {
+                   double risk, double error) {
     write_attributes(group, verdict_table(), named);
-    write_attributes(group.group("settings"), settings_of(named, settings, risk));
+    write_attributes(group.group("settings"), settings_of(named, settings, risk, error));
     write_evidence(group, named.verdict.evidence);
 }
 

@@ -5,6 +5,7 @@
 #include "apps/modes/verdict_in_words.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,13 +13,14 @@
 namespace swirl::apps {
 
 /// Members mode, kind, period, mean_S, … evidence, settings, outcome into an open object.
-///   risk  of chaos that is called before the limits; a setting where it is not 0
-void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings,
-                   double risk = 0);
+///   risk   of chaos that is called before the limits; a setting where it is not 0
+///   error  of its mean S; a setting where it is finite
+void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings, double risk = 0,
+                   double error = std::numeric_limits<double>::infinity());
 
 /// The verdict as attributes; the evidence as datasets along dimension `evidence`.
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings,
-                   double risk = 0);
+                   double risk = 0, double error = std::numeric_limits<double>::infinity());
 
 /// The verdict, how sure and why, a line each; with `verbose` the numbers and all of the evidence after it. Mean S is
 /// in the user's units, if there are any.

@@ -31,7 +31,7 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 26> in_order = {"swirl_version",
+constexpr std::array<const char*, 27> in_order = {"swirl_version",
                                                   "grid",
                                                   "sample",
                                                   "scenes",
@@ -55,6 +55,7 @@ constexpr std::array<const char*, 26> in_order = {"swirl_version",
                                                   "collisions",
                                                   "exhaustive",
                                                   "risk",
+                                                  "error",
                                                   "threshold",
                                                   "accuracy"};
 

@@ -93,7 +93,7 @@ void SweepOptions::add_to(Flags& command) {
         ->type_name("R")
         ->transform(whole_number(1, 1'000'000));
     add_classify_flags(command, settings);
-    add_risk_flag(command, risk);
+    add_risk_flags(command, risk, error);
 }
 
 namespace {
@@ -124,7 +124,7 @@ void check_cell(const SweepOptions& options, const std::vector<GridAxis>& grid, 
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
-    require_no_risk_of_all(options.risk, options.settings.exhaustive);
+    check_risk(options.risk, options.error, options.settings.exhaustive);
     for (const GridAxis& axis : grid) check_beside(options, grid, axis);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is reported before any work

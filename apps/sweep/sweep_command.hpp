@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,6 +35,7 @@ struct SweepOptions {
     std::int64_t runs = 1;
     std::int64_t saddles = 0;  ///< so many places on the boundaries of basins are followed to their saddles
     double risk = 0;           ///< of chaos that is called before the limits
+    double error = std::numeric_limits<double>::infinity();  ///< of their mean S, to which it is followed on
     analysis::ClassifyOptions settings;
 
     void add_to(Flags& command);

@@ -1,3 +1,4 @@
+#include "apps/modes/risk_document.hpp"
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
@@ -34,7 +35,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);
     settings.emplace_back("exhaustive", options.settings.exhaustive);
-    if (options.risk > 0) settings.emplace_back("risk", options.risk);
+    add_risk_settings(settings, options.risk, options.error);
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
     settings.emplace_back("accuracy", options.output.accuracy_name);
     return settings;
@@ -56,6 +57,7 @@ GridStudy study_of(const SweepOptions& options, const std::vector<GridAxis>& gri
     study.settings = options.settings;
     study.accuracy = options.output.accuracy();
     study.risk = options.risk;
+    study.error = options.error;
     return study;
 }
 

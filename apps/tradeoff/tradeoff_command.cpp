@@ -8,12 +8,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace swirl::apps::tradeoff {
 
 const char* const tradeoff_details =
-    R"(Measures, on this machine and this scene, what accuracy costs, in three tables:
+    R"(Measures, on this machine and this scene, what accuracy costs, in four tables:
   arithmetic  each --accuracy on the same flights of the scene's orbit: seconds per collision (median of
               batches in turn, with quartiles), errors after one flight and after ten against quad,
               contacts missed and contacts out of order, with 95 % intervals (Clopper and Pearson; 0 of n
@@ -24,6 +26,10 @@ const char* const tradeoff_details =
               and how fast chaos ends, or how slowly at least. Fewer impacts are recommended where, on
               these and all larger numbers, less than 10 % of the starts have another mode at 95 %, and
               mean S differs by less than 0.05
+  risk        what --risk (of sweep, bifurcate, classify --runs) would save on this scene: random starts are
+              followed to the limits of classify, and for each risk it is counted which of them would have
+              been called chaotic before, how many of these otherwise at the limits, and the time. The
+              smallest that saves half of what the largest saves is recommended, if that is a tenth at all
   model       each piece of the model with and without, and which commands pay for it; no command pays for
               what the scene does not need
 The cheapest --accuracy is recommended that missed and misordered no contact and whose verdict, where it can be compared, is
@@ -51,7 +57,7 @@ constexpr double least_budget = 0.1, most_budget = 1e5;  // a day
 OrbitStarts starts_of(const TradeoffOptions& options, const Scene<double>& scene, const Amounts& amounts) {
     OrbitStarts starts{options.start.start<double>(scene), options.start.is_random(), 0, 0, 1};
     if (!starts.is_random) return starts;
-    options.start.require_seeds(most_starts);
+    options.start.require_seeds(static_cast<std::uint64_t>(std::max<std::int64_t>(most_starts, amounts.risk_runs)));
     starts.speed = options.start.speed();
     starts.seed = options.start.seed();
     starts.count = amounts.runs;

@@ -22,6 +22,7 @@ Settings settings_of(const TradeoffOptions& options, const Amounts& amounts) {
             {"orbit", amounts.orbit},
             {"most_collisions", amounts.most_collisions},
             {"starts", amounts.runs},
+            {"risk_runs", amounts.risk_runs},
             {"late_contact", late_contact},
             {"may_change", may_change},
             {"mean_may_differ", mean_may_differ},
@@ -49,6 +50,7 @@ Settings result_of(const Tradeoff& found) {
     return {{"recommended", std::string(name_or_nothing(found.recommended))},
             {"knee", std::string(name_or_nothing(found.knee))},
             {"enough_collisions", found.enough_collisions},
+            {"recommended_risk", found.recommended_risk},
             {"reason", found.reason},
             {"advice", found.advice},
             {"cut_short", found.cut_short}};
@@ -93,6 +95,9 @@ void write_document(const TradeoffOptions& options, const Scene<double>& scene, 
         write_json(json, "evidence", evidence_table(), found.evidence.rows);
         json.key("escape");
         write_escape(json, found.evidence.escape);
+        write_json(json, "risk", risk_table(), found.risk);
+        json.key("recommended_risk");
+        found.risk.empty() ? json.null() : json.value(found.recommended_risk);
         write_json(json, "model", model_table(), found.model);
         write_text(json, "recommended", name_or_nothing(found.recommended));
         write_text(json, "knee", name_or_nothing(found.knee));
@@ -115,6 +120,7 @@ void write_record(const RecordGroup& root, const TradeoffOptions& options, const
     apps::write_record(root.group("rungs"), arithmetic_table(), found.arithmetics);
     if (!found.evidence.rows.empty()) apps::write_record(root.group("evidence"), evidence_table(), found.evidence.rows);
     if (found.evidence.escape) write_escape(root.group("escape"), *found.evidence.escape);
+    if (!found.risk.empty()) apps::write_record(root.group("risk"), risk_table(), found.risk);
     if (!found.model.empty()) apps::write_record(root.group("model"), model_table(), found.model);
 }
 
@@ -133,6 +139,11 @@ void print_tables(const TradeoffOptions& options, const Scene<double>& scene, co
     }
     if (found.evidence.escape)
         fmt::print("{}", all_wrapped("  " + in_words(*found.evidence.escape, chaos_judged_after), 4));
+    if (!found.risk.empty()) {
+        fmt::print(
+            "risk: runs from random starts to the limits of classify, and what --risk would have said of them\n");
+        print_table(risk_table(), found.risk);
+    }
     if (!found.model.empty()) {
         fmt::print("model: in double, per collision\n");
         print_table(model_table(), found.model);

@@ -259,6 +259,23 @@ Table<EvidenceRow> evidence_table() {
              "time", seconds_format(" {:>8}"))}};
 }
 
+Table<RiskRow> risk_table() {
+    using F = Field<RiskRow>;
+    return {{"risk_level"},
+            {F{"risk", &RiskRow::risk, "1", "--risk; 0: all to the limits"}.shown("risk", "  {:>6g}"),
+             F{"runs", &RiskRow::runs, "1", "random starts"}.shown("runs", " {:>7}"),
+             F{"impacts", &RiskRow::impacts, "1", "of all runs together"}.shown("impacts", " {:>12}"),
+             F{"seconds", &RiskRow::seconds, "s", "of one core for these"}.shown("time", seconds_format(" {:>9}")),
+             F{"runs_called", &RiskRow::runs_called, "1", "of the runs: called chaotic before the limits"}.shown(
+                 "called early", " {:>13}"),
+             F{"changed", &RiskRow::changed, "1", "of these: another verdict at the limits"}.shown("of these otherwise",
+                                                                                                   " {:>19}"),
+             F{"share_that_differs", &RiskRow::share_that_differs, "1", "the same, of all runs"}.shown("of all",
+                                                                                                       " {:>8.2g}"),
+             F{"bound", &RiskRow::bound, "1", "share of such runs among all that are called, at most (95 %)"}.shown(
+                 "below", " {:>8.2g}")}};
+}
+
 Table<ModelRow> model_table() {
     std::vector<Field<ModelRow>> fields;
     fields.push_back(Field<ModelRow>{"name", &ModelRow::name, "", "piece of the model"}.shown("piece", "  {:<24}"));

@@ -20,6 +20,7 @@ Table<ArithmeticRow> arithmetic_table();
 Table<EvidenceRow> evidence_table();
 /// What of the evidence is of all starts; evidence_table() has it in records and JSON.
 Table<EvidenceRow> starts_table();
+Table<RiskRow> risk_table();
 Table<ModelRow> model_table();
 
 }  // namespace swirl::apps::tradeoff

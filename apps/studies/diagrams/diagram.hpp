@@ -14,6 +14,7 @@
 #include "apps/studies/scene_map/parameter_range.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace swirl::studies::diagrams {
@@ -28,6 +29,7 @@ struct DiagramSettings {
     std::int64_t starts = 4;  ///< random ones in a column
     int longest_branch = 12;  ///< the longest period that is continued
     double risk = 0;          ///< of chaos that is called before the limits, of the random starts (early_chaos.hpp)
+    double error = std::numeric_limits<double>::infinity();  ///< of their mean S, to which they are followed on
 };
 
 struct DiagramColumn {

@@ -96,11 +96,18 @@ void name_runs(const GridStudy& study, std::span<const std::size_t> indices, con
 }
 
 RiskQuestion risk_question(const GridStudy& study, std::size_t runs) {
-    return {runs, static_cast<std::size_t>(study.runs), study.risk, study.seed, early_look(study.settings)};
+    return {runs,
+            static_cast<std::size_t>(study.runs),
+            study.risk,
+            study.seed,
+            early_look(study.settings),
+            study.error,
+            last_look(study.settings)};
 }
 
 SeenRun seen_of(const RunResult& run) {
-    return studies::seen_of(kind_of(run), static_cast<Outcome>(static_cast<int>(run.outcome)), run.largest_exponent);
+    return studies::seen_of(kind_of(run), static_cast<Outcome>(static_cast<int>(run.outcome)), run.largest_exponent,
+                            run.mean_spin_error);
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace swirl::studies::grids {
@@ -27,6 +28,8 @@ struct GridStudy {
     analysis::ClassifyOptions settings = {};         ///< of a verdict
     Accuracy accuracy = Accuracy::double_precision;  ///< in which orbits are followed
     double risk = 0;  ///< that chaos which is called before the limits has another verdict there (early_chaos.hpp)
+    /// Of runs whose chaos is called so: mean S is followed on until its error is no larger, or to the limits.
+    double error = std::numeric_limits<double>::infinity();
 };
 
 /// start_numbers, as members.

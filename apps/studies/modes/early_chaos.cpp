@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace swirl::studies {
@@ -138,11 +139,62 @@ void ask(std::vector<Judged> judged, double risk, RiskEvidence& evidence) {
     }
 }
 
+/// A run that is called, whose mean has a larger error than is wanted.
+struct RoughMean {
+    std::size_t run = 0;
+    std::int64_t look = 0;
+    double error = 0;  ///< there
+};
+
+bool is_mean_known(const SeenRun& seen, const RiskQuestion& question) {
+    return seen.mean_error <= question.error || std::isinf(question.error);
+}
+
+/// The first look at which an error that falls with the root of the impacts is small enough, the next one of a tail too
+/// short to tell an error; 0: none before the limits.
+std::int64_t look_for_mean(const RoughMean& mean, const RiskQuestion& question) {
+    namespace detail = analysis::classification_detail;
+    const double times = std::isnan(mean.error) ? 1 : std::max(mean.error / question.error, 1.0);
+    const double wanted = times * times * static_cast<double>(mean.look);
+    std::int64_t look = detail::next_look(mean.look);
+    while (look <= question.last_look && static_cast<double>(look) < wanted) look = detail::next_look(look);
+    return look <= question.last_look && static_cast<double>(look) >= wanted ? look : 0;
+}
+
+/// Follows these to later looks until their means are known; those that need the limits, or are not chaotic any more
+/// and not settled, are added to `left`. False if it was stopped.
+bool follow_means(const RiskQuestion& question, std::vector<RoughMean> rough, const RunsAtRisk& runs,
+                  std::vector<std::size_t>& left) {
+    while (!rough.empty()) {
+        std::map<std::int64_t, std::vector<std::size_t>> at_look;
+        for (const RoughMean& mean : rough) {
+            const std::int64_t look = look_for_mean(mean, question);
+            (look > 0 ? at_look[look] : left).push_back(mean.run);
+        }
+        rough.clear();
+        for (const auto& [look, some] : at_look) {
+            const auto seen = runs.follow(some, look);
+            if (!seen) return false;
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                const SeenRun& now = (*seen)[i];
+                if (now.known || (now.chaotic && is_mean_known(now, question)))
+                    runs.keep(some[i]);
+                else if (now.chaotic)
+                    rough.push_back({some[i], look, now.mean_error});
+                else
+                    left.push_back(some[i]);
+            }
+        }
+    }
+    std::sort(left.begin(), left.end());
+    return true;
+}
+
 }  // namespace
 
-SeenRun seen_of(analysis::Kind kind, Outcome outcome, double exponent) {
+SeenRun seen_of(analysis::Kind kind, Outcome outcome, double exponent, double mean_error) {
     const bool chaotic = kind == analysis::Kind::chaotic;
-    return {!chaotic && (kind != analysis::Kind::none || outcome != Outcome::completed), chaotic, exponent};
+    return {!chaotic && (kind != analysis::Kind::none || outcome != Outcome::completed), chaotic, exponent, mean_error};
 }
 
 std::int64_t early_look(const analysis::ClassifyOptions& limits) {
@@ -152,6 +204,15 @@ std::int64_t early_look(const analysis::ClassifyOptions& limits) {
     while (look < least || detail::next_look(look) <= (limits.transient + limits.collisions) / part)
         look = detail::next_look(look);
     return look <= limits.transient ? look : 0;
+}
+
+std::int64_t last_look(const analysis::ClassifyOptions& limits) {
+    namespace detail = analysis::classification_detail;
+    std::int64_t last = 0;
+    for (std::int64_t look = detail::next_look(detail::first_look); look <= limits.transient;
+         look = detail::next_look(look))
+        last = look;
+    return last;
 }
 
 std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::span<const std::size_t> own,
@@ -175,15 +236,20 @@ std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::
     if (!std::isnan(evidence.least_exponent)) evidence.impacts = question.look;
     if (!looked.look_at(own)) return std::nullopt;
     std::vector<std::size_t> left;
+    std::vector<RoughMean> rough;
     for (const std::size_t run : own) {
         if (sample->at_limits[run]) continue;  // it has its verdict
         const auto score = looked.score(run);
+        const SeenRun& seen = looked.seen(run);
         const bool is_called = evidence.impacts > 0 && score && *score >= evidence.least_exponent;
-        if (is_called || looked.seen(run).known)
+        if (is_called && !is_mean_known(seen, question))
+            rough.push_back({run, question.look, seen.mean_error});
+        else if (is_called || seen.known)
             runs.keep(run);
         else
             left.push_back(run);
     }
+    if (!follow_means(question, std::move(rough), runs, left)) return std::nullopt;
     return to_limits(left);
 }
 
@@ -217,12 +283,21 @@ std::vector<std::size_t> RandomOrder::take(std::size_t count) {
     return drawn;
 }
 
+std::size_t RiskPieces::number(std::size_t run, std::int64_t to) const {
+    std::size_t level = to > 0 ? 1 : 0;
+    for (std::int64_t at = look; at < to; at = analysis::classification_detail::next_look(at)) ++level;
+    return level * runs + run;
+}
+
 std::vector<RiskPieces::Group> RiskPieces::groups(std::span<const std::size_t> pieces) const {
-    Group to_limits{0, {}}, to_look{look, {}};
-    for (const std::size_t piece : pieces) (piece < runs ? to_limits : to_look).runs.push_back(run(piece));
+    std::map<std::size_t, std::vector<std::size_t>> by_level;
+    for (const std::size_t piece : pieces) by_level[piece / runs].push_back(run(piece));
     std::vector<Group> groups;
-    for (const Group& group : {to_limits, to_look})
-        if (!group.runs.empty()) groups.push_back(group);
+    for (auto& [level, some] : by_level) {
+        std::int64_t to = level > 0 ? look : 0;
+        for (std::size_t l = 1; l < level; ++l) to = analysis::classification_detail::next_look(to);
+        groups.push_back({to, std::move(some)});
+    }
     return groups;
 }
 

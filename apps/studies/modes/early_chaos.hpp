@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -51,6 +52,10 @@ struct RiskQuestion {
     double risk = 0;         ///< 0: none is taken
     std::uint64_t seed = 1;  ///< of the draws
     std::int64_t look = 0;   ///< when runs are looked at (early_look); 0: there is no room for it
+    /// Runs that are called are followed on until the error of their mean S is no larger, to looks up to `last_look`,
+    /// then to the limits.
+    double error = std::numeric_limits<double>::infinity();
+    std::int64_t last_look = 0;
 };
 
 /// A verdict, as far as calls need it.
@@ -58,12 +63,13 @@ struct SeenRun {
     bool known = false;  ///< it has settled or ended: its verdict is that at the limits
     bool chaotic = false;
     double exponent = 0;
+    double mean_error = analysis::nan;  ///< standard error of mean S by time
 };
-SeenRun seen_of(analysis::Kind kind, Outcome outcome, double exponent);
+SeenRun seen_of(analysis::Kind kind, Outcome outcome, double exponent, double mean_error);
 
 /// How runs are followed by who has them.
 struct RunsAtRisk {
-    /// To the look (0: to the limits), and what is seen of each; none if it was stopped. Verdicts at the limits are
+    /// To a look (0: to the limits), and what is seen of each; none if it was stopped. Verdicts at the limits are
     /// kept.
     std::function<std::optional<std::vector<SeenRun>>(std::span<const std::size_t> runs, std::int64_t look)> follow;
     /// Keeps a verdict that the look gave.
@@ -80,8 +86,12 @@ struct FollowedAtRisk {
 /// shorter. (Of a map of hexagons a later one costs more than it tells, an earlier one tells less of small risks.)
 std::int64_t early_look(const analysis::ClassifyOptions& limits);
 
+/// The last look within the transient's impacts, from which on a verdict is one of the limits; 0: none is.
+std::int64_t last_look(const analysis::ClassifyOptions& limits);
+
 /// Follows runs at a risk; where the sample would be more than a third of them, to the limits. A pure function of the
-/// question and of what `follow` gives. None if that was stopped.
+/// question and of what `follow` gives. None if that was stopped. Those whose mean is followed on can only come nearer
+/// to their verdict at the limits: the bound is of all that are called at the first look.
 ///   own  the runs that are wanted, whole cells: all or, of a part of the work, some of all that are asked about
 /// Cost: all runs to the look, a sample of 1/16 of all (of small maps up to 6/risk) to the limits, and what is not
 /// called.
@@ -113,14 +123,15 @@ private:
     std::unordered_map<std::size_t, std::size_t> moved_;
 };
 
-/// Numbers of pieces of work: run i to the limits is piece i, to the look piece `runs` + i.
+/// Numbers of pieces of work: run i to the limits is piece i, to the look piece `runs` + i, to the look after that
+/// 2 `runs` + i …
 struct RiskPieces {
     std::size_t runs = 0;
     std::int64_t look = 0;
 
-    std::size_t number(std::size_t run, std::int64_t to) const { return to > 0 ? runs + run : run; }
+    std::size_t number(std::size_t run, std::int64_t to) const;
     std::size_t run(std::size_t piece) const { return piece % runs; }
-    /// Runs that are followed to the limits, and runs that are followed to the look.
+    /// Runs that are followed to the limits, and runs that are followed to a look.
     struct Group {
         std::int64_t look;
         std::vector<std::size_t> runs;

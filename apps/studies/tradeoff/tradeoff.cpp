@@ -11,13 +11,15 @@
 namespace swirl::studies::tradeoff {
 
 // A step in quad takes some 60 microseconds, verdicts up the ladder to n impacts some 4 n and a tenth of a second: on
-// one thread the flights take an eighth of the budget, the orbits a twentieth, the verdicts a third.
+// one thread the flights take an eighth of the budget, the orbits a twentieth, the verdicts a third. A run of chaos to
+// the look and to the limits takes some 7 ms in lanes: those of a risk a third.
 Amounts::Amounts(double budget)
     : transient(10'000),
       flights(static_cast<std::int64_t>(std::clamp(1000 * budget, 100.0, 1e7))),
       orbit(static_cast<std::int64_t>(std::clamp(200 * budget, 200.0, 1e6))),
       most_collisions(static_cast<std::int64_t>(std::clamp(1000 * budget, 300.0, 1e7))),
-      runs(static_cast<std::int64_t>(std::clamp(6.4 * budget, 8.0, static_cast<double>(most_starts)))) {}
+      runs(static_cast<std::int64_t>(std::clamp(6.4 * budget, 8.0, static_cast<double>(most_starts)))),
+      risk_runs(static_cast<std::int64_t>(std::clamp(45 * budget, 8.0, 1e5))) {}
 
 namespace {
 
@@ -108,6 +110,7 @@ Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Am
     Tradeoff found;
     for (const Arithmetic& arithmetic : all_arithmetics()) found.arithmetics.emplace_back().arithmetic = &arithmetic;
     found.evidence = gather_evidence(scene, starts, evidence_ladder(amounts.most_collisions), budget, control);
+    found.risk = measure_risks(scene, starts, amounts.risk_runs, budget, control);
     OrbitStarts many = starts;
     if (many.is_random) many.count = most_starts;  // beginnings of orbits, where one orbit has too few flights
     found.drawn = draw_flights(scene, many, amounts.transient, amounts.flights, budget);

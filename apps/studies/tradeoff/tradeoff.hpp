@@ -5,6 +5,7 @@
 #include "apps/studies/tradeoff/compare_flights.hpp"
 #include "apps/studies/tradeoff/evidence.hpp"
 #include "apps/studies/tradeoff/models.hpp"
+#include "apps/studies/tradeoff/risk_ladder.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,7 @@ struct Amounts {
     std::int64_t orbit;            ///< impacts of each arithmetic's own orbit
     std::int64_t most_collisions;  ///< of a verdict
     std::int64_t runs;             ///< starts of the verdicts, at most
+    std::int64_t risk_runs;        ///< starts at which a risk is tried, at most
 };
 
 /// Fewer impacts are enough where, at 95 %, less than this share of the starts has another mode on the most.
@@ -55,6 +57,7 @@ struct ModelRow {
 struct Tradeoff {
     std::vector<ArithmeticRow> arithmetics;
     Evidence evidence;
+    std::vector<RiskRow> risk;  ///< none where the start is given, or the budget was spent
     std::vector<ModelRow> model;
     DrawnFlights drawn;
     std::int64_t compared = 0;                ///< flights
@@ -62,9 +65,10 @@ struct Tradeoff {
     const Arithmetic* knee = nullptr;         ///< none: nothing could be compared, or timed
     std::int64_t enough_collisions =
         0;  ///< the fewest impacts that are enough (`may_change`, `mean_may_differ`); 0: none below the most
-    std::string reason;      ///< why that arithmetic, or why none
-    std::string advice;      ///< a sentence
-    bool cut_short = false;  ///< the budget was spent before all that it should hold was counted
+    double recommended_risk = 0;  ///< of those in `risk` (risk_ladder.hpp); 0: call nothing before the limits
+    std::string reason;           ///< why that arithmetic, or why none
+    std::string advice;           ///< a sentence
+    bool cut_short = false;       ///< the budget was spent before all that it should hold was counted
 };
 
 /// Measures. Takes about the budget.

@@ -15,7 +15,7 @@ POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
 NUMBERS = {
     f"simulate {SCENE}": ["--collisions", "--time", "--skip", "--every", "--sample", "--threads", "--x", "--y", "--vx",
                           "--vy", "--angle", "--spin", "--speed", "--seed", "--camera", "--noise", "--lose", "--pixels"],
-    f"classify {SCENE}": ["--transient", "--collisions", "--threshold", "--max-period", "--runs", "--risk"],
+    f"classify {SCENE}": ["--transient", "--collisions", "--threshold", "--max-period", "--runs", "--risk", "--error"],
     "classify --series m.csv": ["--noise"],
     f"recurrence {SCENE}": ["--threshold", "--threshold-std", "--recurrence-rate", "--dimension", "--delay", "--image",
                             "--theiler", "--min-diagonal", "--min-vertical", "--transient", "--collisions",
@@ -28,9 +28,9 @@ NUMBERS = {
     "fit --impacts i.csv": ["--inertia", "--resamples", "--seed"],
     f"orbits {SCENE}": ["--period", "--max-period", "--starts", "--trajectories", "--collisions"],
     f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
-    f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch", "--risk"],
+    f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch", "--risk", "--error"],
     f"boundaries {SCENE} --plane alpha=0.4:0.5 --plane beta=0.4:0.5": ["--max-period", "--lines", "--longest-step"],
-    f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold", "--risk"],
+    f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold", "--risk", "--error"],
     f"tradeoff {SCENE}": ["--budget"],
     f"describe {SCENE}": ["--max-time", "--alpha", "--beta", "--mu", "--restitution", "--inertia-factor"],
 }

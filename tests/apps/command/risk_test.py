@@ -134,6 +134,49 @@ class Others(Risk):
         self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 2", "2.h5"))
         self.assertIn("chaos was called after", " ".join(run(command).stdout.split()))
 
+    @staticmethod
+    def is_known(run, error):
+        """Its mean S: null is an error of which too few impacts tell."""
+        return run["mean_S_error"] is not None and run["mean_S_error"] <= error
+
+    def test_means_of_called_runs_are_followed_to_an_error(self):
+        error, look, limits = 0.2, 648, 8000
+        runs, sweep = (line.replace(LIMITS, "--transient 4000 --collisions 4000") for line in (RUNS, SWEEP))
+        plain, known = document(f"{runs} --risk 0.3"), document(f"{runs} --risk 0.3 --error {error}")
+        self.assertEqual(known["settings"]["error"], error)
+        self.assertNotIn("error", plain["settings"])
+        self.assertEqual(known["risk_evidence"], plain["risk_evidence"])
+        ends = set()
+        for before, after in zip(plain["runs"], known["runs"]):
+            if before == after:
+                continue
+            self.assertEqual(before["mode"], "chaotic")
+            self.assertFalse(self.is_known(before, error))
+            ends.add(self.is_known(after, error))
+        self.assertIn(True, ends)  # others end at the limits with what they have there
+        command = f"{sweep} --error {error}"
+        cells, limit_cells = document(command)["cells"], document(sweep)["cells"]
+        longer = 0
+        for cell, of_called in zip(cells, limit_cells):
+            for after, before in zip(cell["runs"], of_called["runs"]):
+                if after == before:
+                    continue
+                longer += 1
+                self.assertFalse(self.is_known(before, error))
+                self.assertLess(before["impacts"], look + 3)
+                self.assertGreater(after["impacts"], before["impacts"])
+                if after["mode"] == "chaotic" and after["impacts"] < limits:
+                    self.assertTrue(self.is_known(after, error))
+        self.assertGreater(longer, 20)
+        self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 3", "3.h5"))
+        parts = [self.folder / f"part{i}.h5" for i in (1, 2)]
+        for i, part in enumerate(parts, 1):
+            self.bytes_of(f"{command} --shard {i}/2", part.name)
+        self.assertEqual(self.bytes_of(f"join {parts[0]} {parts[1]}", "joined.h5"), (self.folder / "1.h5").read_bytes())
+        found = document(f"{DIAGRAM} --risk 0.3 --error {error}")
+        self.assertEqual(found["settings"]["error"], error)
+        self.assertNotEqual(found["columns"], document(f"{DIAGRAM} --risk 0.3")["columns"])
+
     def test_of_one_run_nothing_is_saved_below_nine_tenths(self):
         one = f"classify {SCENE} --alpha 0.15 --beta 0.5"
         limits, at_risk, dared = document(one), document(f"{one} --risk 0.5"), document(f"{one} --risk 0.92")
@@ -151,6 +194,9 @@ class WrongInput(InFolder):
             for value in ("2", "1", "-1", "nan", "inf", "much", "1e-999"):
                 self.refused(f"{command} --risk {value} -o {self.folder}/a.h5", "risk", "0 or more, below 1")
             self.refused(f"{command} --risk 0.1 --exhaustive -o {self.folder}/a.h5", "risk", "exhaustive")
+            for value in ("0", "-1", "nan"):
+                self.refused(f"{command} --risk 0.1 --error {value} -o {self.folder}/a.h5", "error", "above 0")
+            self.refused(f"{command} --error 0.01 -o {self.folder}/a.h5", "error", "--risk")
         self.refused(f"classify {record} --risk 0.1", "risk")
 
     def refused(self, command, *mentions):

@@ -208,7 +208,8 @@ class Ladders(unittest.TestCase):
         first = measured(STEADY)
         budget = first["settings"]["budget"]
         again = document(f"tradeoff {STEADY} --budget {budget} --threads 1")
-        if again["cut_short"] or again["evidence"][0]["runs"] != first["evidence"][0]["runs"]:
+        starts = [[found[key][0]["runs"] for key in ("evidence", "risk") if found[key]] for found in (first, again)]
+        if again["cut_short"] or starts[0] != starts[1]:
             self.skipTest("the machine is too busy for equal amounts")
         self.assertEqual(without_times(again), without_times(first))
         other = document(f"tradeoff {STEADY} --budget {budget} --seed 2")
@@ -271,6 +272,40 @@ class Regimes(unittest.TestCase):
         self.assertEqual(found["flights"]["outcome"], "diverged")
         self.assertGreater(found["flights"]["compared"], 50)
         self.assertEqual(found["recommended"], "double")
+
+
+class AtRisk(InFolder):
+    SCENE = "--sides 6 --alpha 0.15 --beta 0.5 --mu 0.5 --restitution 0.95"  # chaos that stays
+
+    def test_the_rows_are_what_classify_does_at_that_risk(self):
+        found = measured(self.SCENE, 3)
+        rows = {row["risk"]: row for row in found["risk"]}
+        self.assertEqual(list(rows), [0, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2])
+        runs = rows[0]["runs"]
+        self.assertLessEqual(runs, found["settings"]["risk_runs"])
+        if runs < 110:
+            self.skipTest("the machine is too busy for a sample")
+        self.assertEqual((rows[0]["runs_called"], rows[0]["changed"], rows[0]["bound"]), (0, 0, None))
+        record = self.folder / "runs.h5"
+        called = document(f"classify {self.SCENE} --runs {runs} --risk 0.2 -o {record}")
+        limits = document(f"classify {self.SCENE} --runs {runs}")
+        with xarray.open_dataset(record, group="runs", engine="h5netcdf") as opened:
+            early = (opened["impacts"].values < 3000)
+        chaotic = [run["mode"] == "chaotic" for run in called["runs"]]
+        of_called = [run["mode"] != "chaotic" for run, is_early, is_chaotic in zip(limits["runs"], early, chaotic)
+                     if is_early and is_chaotic]
+        row = rows[0.2]
+        self.assertGreater(row["runs_called"], 0.5 * runs)
+        self.assertEqual((row["runs_called"], row["changed"]), (len(of_called), sum(of_called)))
+        self.assertEqual(row["bound"], called["risk_evidence"][0]["bound"])
+        self.assertEqual(row["share_that_differs"], row["changed"] / runs)
+        self.assertLess(row["impacts"], rows[0]["impacts"])
+        self.assertAlmostEqual(row["seconds"] / rows[0]["seconds"], row["impacts"] / rows[0]["impacts"], places=9)
+        self.assertIn(f"--risk {found['recommended_risk']:g} takes", found["advice"])
+
+    def test_a_start_that_is_given_has_none(self):
+        found = document(f"tradeoff {self.SCENE} --point 0,0,-0.5,0.5,0.1 --budget 0.3")
+        self.assertEqual((found["risk"], found["recommended_risk"]), ([], None))
 
 
 class Outputs(InFolder):

@@ -118,6 +118,24 @@ TEST(RiskPieces, EveryRunHasANumberForTheLimitsAndForTheLook) {
     EXPECT_EQ(groups[1].look, look);
 }
 
+TEST(RiskPieces, RunsOfLaterLooksHaveNumbersToo) {
+    const RiskPieces pieces{7, look};
+    const auto groups =
+        pieces.groups(std::vector<std::size_t>{pieces.number(3, 0), pieces.number(5, 972), pieces.number(6, 1458)});
+    ASSERT_EQ(groups.size(), 3U);
+    EXPECT_EQ(groups[1].look, 972);
+    EXPECT_EQ(groups[1].runs, (std::vector<std::size_t>{5}));
+    EXPECT_EQ(groups[2].look, 1458);
+    EXPECT_EQ(groups[2].runs, (std::vector<std::size_t>{6}));
+}
+
+TEST(LastLook, IsTheLastWithinTheTransient) {
+    analysis::ClassifyOptions options;
+    EXPECT_EQ(last_look(options), 7380);  // the next one is 11,070, beyond 10,000
+    options.transient = 100;
+    EXPECT_EQ(last_look(options), 0);
+}
+
 TEST(EarlyLook, IsANinthOfTheLimitsAndALook) {
     analysis::ClassifyOptions options;
     EXPECT_EQ(early_look(options), 2187);  // of 20,000: 2222
@@ -174,6 +192,48 @@ TEST(AtRisk, ChaosThatStaysIsCalled) {
     const auto [called, changed] = population.called();
     EXPECT_GE(called, 7900 - found->evidence.followed);
     EXPECT_EQ(changed, 0);
+}
+
+// Errors fall with the root of the impacts, by a factor that is the run's own: each called run is followed to the first
+// look at which its mean is known, or to the limits. What is not called goes its way as without an error.
+TEST(AtRisk, MeansOfCalledRunsAreFollowedUntilTheirErrorIsSmall) {
+    constexpr std::int64_t last = 7380;
+    std::mt19937_64 engine(4);
+    Population without = population_of(engine, 1000, 0), with = without;
+    RunsAtRisk runs = with.at_risk();
+    const auto error_of = [](std::size_t run, std::int64_t impacts) {
+        return static_cast<double>(1 + run % 40) / std::sqrt(static_cast<double>(impacts));
+    };
+    std::vector<std::int64_t> ended(with.leaves.size(), -1);
+    runs.follow = [&, follow = runs.follow](std::span<const std::size_t> some, std::int64_t to) {
+        auto seen = follow(some, to);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            (*seen)[i].mean_error = error_of(some[i], to > 0 ? to : 20'000);
+            ended[some[i]] = to;
+        }
+        return seen;
+    };
+    constexpr double error = 0.2;
+    RiskQuestion question = question_of(with, 0.05);
+    ASSERT_TRUE(follow_at_risk(question, all_of(without), without.at_risk()));
+    question.error = error;
+    question.last_look = last;
+    ASSERT_TRUE(follow_at_risk(question, all_of(with), runs));
+    int at_first = 0, later = 0, at_limits = 0;
+    for (std::size_t run = 0; run < ended.size(); ++run) {
+        if (without.kept[run] == 0 || !(without.leaves[run] > look)) {
+            EXPECT_EQ(with.kept[run], without.kept[run]) << run;
+            continue;
+        }
+        std::int64_t first = look;  // the first at which the error is small enough
+        while (first <= last && error_of(run, first) > error) first += first / 2;
+        EXPECT_EQ(ended[run], first <= last ? first : 0) << run;
+        EXPECT_EQ(with.kept[run] + with.followed[run], 1) << run;
+        (ended[run] == look ? at_first : ended[run] > 0 ? later : at_limits) += 1;
+    }
+    EXPECT_GT(at_first, 100);
+    EXPECT_GT(later, 100);
+    EXPECT_GT(at_limits, 100);
 }
 
 // Part of the work is the same as in all of it.
@@ -251,7 +311,8 @@ TEST(Look, WhatHasSettledHasTheVerdictOfTheLimits) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
         SCOPED_TRACE(i);
         const NamedMode &found = at_look[i], &limit = at_limits[i];
-        const SeenRun seen = seen_of(found.verdict.kind, found.outcome, found.verdict.largest_exponent);
+        const SeenRun seen =
+            seen_of(found.verdict.kind, found.outcome, found.verdict.largest_exponent, found.mean_errors.per_time);
         chaotic += seen.chaotic ? 1 : 0;
         known += seen.known ? 1 : 0;
         EXPECT_FALSE(seen.chaotic && seen.known);

@@ -22,7 +22,7 @@ template <int D, class State = Vector<D>>
 struct Advance {
     State state;              ///< z′; meaningless unless `alive`
     double duration = 1;      ///< time that the step took (1 for a map without a flow)
-    std::int64_t letter = 0;  ///< which smooth branch of the map was taken; their sequence is the itinerary (word)
+    std::int64_t letter = 0;  ///< which smooth branch of the map was taken; their sequence is the itinerary
     bool alive = true;        ///< false: the map ends here (no next impact, sustained contact, escape)
     double integral = 0;      ///< ∫ of the observable over the step's duration, for maps that have one
     double cost = 1;          ///< what it cost, in ordinary steps of this map: by count, the same on every machine

@@ -81,8 +81,9 @@ public:
             turn_to_contact(x, longer, at.phase, flight, collision.after);
             collision.normal = x + longer * x;
         } else {
-            const T turn = cross(x, body_.rest_of_vertex(at.arm, vertex));  // from x to the true n
-            turn_to_contact(x, longer, turn, body_.rest_angle(vertex), at.phase, arm, body_, flight, collision.after);
+            const T turn = cross(x, body_.residual_of_vertex(at.arm, vertex));  // from x to the true n
+            turn_to_contact(x, longer, turn, body_.residual_angle(vertex), at.phase, arm, body_, flight,
+                            collision.after);
             collision.normal = x + times(Vec2<T>{longer, turn}, x);
         }
         collision.outcome = FirstContactOutcome::contact;

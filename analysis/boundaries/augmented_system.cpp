@@ -90,7 +90,7 @@ std::optional<Eigen::VectorXcd> gradient_of(const PlaneMap& map, const Eigen::Ve
     for (Eigen::Index i = 0; i * d < size; ++i) {
         const Eigen::VectorXd z = points.segment(i * d, d);
         const Eigen::VectorXcd q = value.right.segment(i * d, d);
-        const std::int64_t letter = shooting.word[static_cast<std::size_t>(i)];
+        const std::int64_t letter = shooting.itinerary[static_cast<std::size_t>(i)];
         const auto real = change_along(map, z, p, letter, q.real());
         const auto imaginary = change_along(map, z, p, letter, q.imag());
         if (!real || !imaginary) return std::nullopt;

@@ -71,10 +71,10 @@ struct BoundaryOptions {
     int most_points = 5000;       ///< in each direction
     /// Higher derivatives of Fᵏ at a cycle in more digits; without it, differences in double.
     std::function<HigherForms(const CyclePoints& points, const Eigen::Vector2d& p)> forms;
-    /// Names a border from the last cycle before it and the word found behind it (empty: the map ends, or nothing is
-    /// known); an empty name if none is seen there.
+    /// Names a border from the last cycle before it and the itinerary found behind it (empty: the map ends, or nothing
+    /// is known); an empty name if none is seen there.
     std::function<std::string(const CyclePoints& points, const Eigen::Vector2d& p,
-                              const std::vector<std::int64_t>& word_behind)>
+                              const std::vector<std::int64_t>& itinerary_behind)>
         name_border;
     std::function<void(const Eigen::Vector2d& p)> progress;
     std::function<bool()> stop;

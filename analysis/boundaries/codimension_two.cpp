@@ -25,14 +25,14 @@ HigherForms forms_in_double(const AugmentedSystem& system, const CurvePoint& at)
     const PlaneMap& map = system.map;
     const Eigen::Vector2d p = at.y.segment<2>(system.coordinates());
     const std::size_t k = system.period;
-    const std::vector<std::int64_t> word = at.shooting.word;
+    const std::vector<std::int64_t> itinerary = at.shooting.itinerary;
     return difference_forms<double>(
-        [map, p, k, word](const Eigen::VectorXd& from, const double&, Eigen::MatrixXd& product) {
+        [map, p, k, itinerary](const Eigen::VectorXd& from, const double&, Eigen::MatrixXd& product) {
             Eigen::VectorXd z = from;
             product = Eigen::MatrixXd::Identity(map.dimension, map.dimension);
             for (std::size_t i = 0; i < k; ++i) {
                 const ShootingStep step = map.step(z, p);
-                if (!step.alive || step.letter != word[i]) return false;
+                if (!step.alive || step.letter != itinerary[i]) return false;
                 product = (step.by_state * product).eval();
                 z = step.state;
             }

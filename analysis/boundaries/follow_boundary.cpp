@@ -85,18 +85,18 @@ private:
 
     void meet_end(Correction why) override {
         // A border across which the map jumps stops the corrector itself: it is asked for its name, too.
-        const auto word = word_behind().empty() ? seen_behind() : word_behind();
+        const auto itinerary = itinerary_behind().empty() ? seen_behind() : itinerary_behind();
         if (options_.name_border)
-            boundary_.end.border = options_.name_border(here().points(), parameters(here()), word);
+            boundary_.end.border = options_.name_border(here().points(), parameters(here()), itinerary);
         if (why != Correction::failed || !boundary_.end.border.empty()) return end(CurveEnd::border);
         end(meets_halved() ? CurveEnd::halved : CurveEnd::not_converged);
     }
 
-    /// The word a little farther along the tangent: where DF jumps the corrector finds no point behind.
+    /// The itinerary a little farther along the tangent: where DF jumps the corrector finds no point behind.
     std::vector<std::int64_t> seen_behind() const {
         for (const double h : {1e-8, 1e-7, 1e-6, 1e-5}) {
             const ShootingResidual behind = system_.shooting(here().y + h * here().tangent);
-            if (behind.alive && behind.word != here().shooting.word) return behind.word;
+            if (behind.alive && behind.itinerary != here().shooting.itinerary) return behind.itinerary;
         }
         return {};
     }

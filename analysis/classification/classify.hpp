@@ -236,7 +236,7 @@ void look_further(const M& map, const Tail<M>& tail, int observable, const Class
 /// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended,
 /// means and recurrence rate.
 template <SectionMap M>
-Classification observed(const M& map, const Tail<M>& tail, int observable, double recurrence_threshold) {
+Classification measure_tail(const M& map, const Tail<M>& tail, int observable, double recurrence_threshold) {
     Classification result;
     result.ended = tail.ended;
     result.steps = tail.steps;
@@ -263,7 +263,7 @@ Classification observed(const M& map, const Tail<M>& tail, int observable, doubl
 template <SectionMap M>
 Classification classify_tail(const M& map, const Tail<M>& tail, int observable, const ClassifyOptions& options = {}) {
     namespace detail = classification_detail;
-    Classification result = observed(map, tail, observable, options.recurrence_threshold);
+    Classification result = measure_tail(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
     detail::Findings findings;
     detail::take_cycle(map, find_period(map, tail, options.period), options, observable, findings, result);

@@ -107,7 +107,7 @@ inline Evidence evidence_of_search_cut(const StepBudget& search) {
 /// for a cycle may cost is limited in the same way.
 template <SectionMap M>
 Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, ClassifyOptions options) {
-    Classification result = observed(map, tail, observable, options.recurrence_threshold);
+    Classification result = measure_tail(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
     Findings findings;
     const auto n = static_cast<std::int64_t>(tail.durations.size());

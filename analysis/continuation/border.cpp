@@ -31,7 +31,7 @@ bool step_behind(const CurveProblem& problem, const CurvePoint& base, const Shoo
     constexpr double farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
     for (double h = 1e-10; h < 1e-4; h *= 10) {
         if (correct(problem, base, sign * h, behind, farthest) != Correction::converged) continue;
-        if (behind.shooting.word == last.word || !is_continuous(behind.shooting, last, h)) continue;
+        if (behind.shooting.itinerary == last.itinerary || !is_continuous(behind.shooting, last, h)) continue;
         if (problem.product(behind.tangent, base.tangent) * sign < 0) turn(behind);
         return true;
     }
@@ -44,7 +44,7 @@ bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index unkn
     base.y[unknown] += shift;
     const CyclePoints points = base.points();
     const ShootingResidual shooting = shooting_residual(map, points, base.p());
-    if (!shooting.alive || shooting.word == last.shooting.word) return false;
+    if (!shooting.alive || shooting.itinerary == last.shooting.itinerary) return false;
     const bool has_tangent = begin_curve(map, points, base.p(), {}, base);
     base.y = last.y;
     return has_tangent;
@@ -87,13 +87,13 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     last.y = y;
 }
 
-bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
+bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& itinerary_after,
                  CurvePoint& behind) {
     CurveProblem problem = cycle_problem(map, last.shooting.period, last.p());
-    problem.keeps_word = false;
-    word_after.clear();
+    problem.keeps_itinerary = false;
+    itinerary_after.clear();
     if (step_behind(problem, last, last.shooting, 1, behind)) {
-        word_after = behind.shooting.word;
+        itinerary_after = behind.shooting.itinerary;
         return true;
     }
     for (const double shift : {1e-9, 1e-7, 1e-5}) {
@@ -101,10 +101,10 @@ bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std
             for (const double sign : {1.0, -1.0}) {
                 CurvePoint base;
                 if (!seen_from(map, last, j, sign * shift, base)) continue;
-                if (word_after.empty()) word_after = base.shooting.word;
+                if (itinerary_after.empty()) itinerary_after = base.shooting.itinerary;
                 for (const double direction : {1.0, -1.0})
                     if (step_behind(problem, base, last.shooting, direction, behind)) {
-                        word_after = behind.shooting.word;
+                        itinerary_after = behind.shooting.itinerary;
                         return true;
                     }
             }

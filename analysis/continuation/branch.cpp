@@ -30,7 +30,7 @@ void turn(BranchPoint& point) {
 
 void turn(SpecialPoint& special) {
     turn(special.cycle);
-    std::swap(special.word_before, special.word_after);
+    std::swap(special.itinerary_before, special.itinerary_after);
 }
 
 std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p) {

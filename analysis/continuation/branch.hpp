@@ -38,10 +38,10 @@ struct SpecialPoint {
     SpecialKind kind = SpecialKind::fold;
     std::string border;  ///< its name, for a border
     BranchPoint cycle;
-    std::vector<std::int64_t> word_before;  ///< of a border: on the side of the branch's earlier points …
-    std::vector<std::int64_t> word_after;   ///< … and of its later ones; empty if the map ends there
-    bool goes_on = true;                    ///< false: no cycle was found behind the border
-    bool located = true;                    ///< false: known only to lie between two points of the branch
+    std::vector<std::int64_t> itinerary_before;  ///< of a border: on the side of the branch's earlier points …
+    std::vector<std::int64_t> itinerary_after;   ///< … and of its later ones; empty if the map ends there
+    bool goes_on = true;                         ///< false: no cycle was found behind the border
+    bool located = true;                         ///< false: known only to lie between two points of the branch
     std::optional<NormalForm> normal_form;
     std::size_t after = 0;  ///< between branch points `after` and `after` + 1
 };

@@ -119,7 +119,7 @@ private:
     /// functions are not meaningful there.
     bool is_smooth_to(const CurvePoint& last) const {
         const Eigen::MatrixXd before = here().shooting.by_points();
-        return last.shooting.word == here().shooting.word && is_on_curve(last.shooting) &&
+        return last.shooting.itinerary == here().shooting.itinerary && is_on_curve(last.shooting) &&
                (last.shooting.by_points() - before).norm() <= 1e-3 * before.norm();
     }
 
@@ -188,13 +188,13 @@ private:
         SpecialPoint special;
         special.kind = SpecialKind::border;
         special.cycle = branch_.points.back();
-        special.word_before = here().shooting.word;
+        special.itinerary_before = here().shooting.itinerary;
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
-        special.goes_on = find_behind(map_, here(), special.word_after, behind);
-        special.border =
-            options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on) : nameless_border;
-        if (why == Correction::failed && special.word_after.empty() && special.border == nameless_border)
+        special.goes_on = find_behind(map_, here(), special.itinerary_after, behind);
+        special.border = options_.name_border ? options_.name_border(here(), special.itinerary_after, special.goes_on)
+                                              : nameless_border;
+        if (why == Correction::failed && special.itinerary_after.empty() && special.border == nameless_border)
             return end(CurveEnd::not_converged);
         if (!special.goes_on) extrapolate_to_border(map_, special.cycle.at);
         branch_.special.push_back(special);

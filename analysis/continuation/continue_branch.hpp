@@ -22,7 +22,7 @@ struct ContinuationOptions {
     std::function<HigherForms(const CyclePoints& points, double p)> forms;
     /// Names a border from its last cycle, the itinerary behind it (empty: the map ends) and whether a cycle continues
     /// there.
-    std::function<std::string(const CurvePoint& last, const std::vector<std::int64_t>& word_after, bool goes_on)>
+    std::function<std::string(const CurvePoint& last, const std::vector<std::int64_t>& itinerary_after, bool goes_on)>
         name_border;
     std::function<void(double p)> progress;
     std::function<bool()> stop;

@@ -30,19 +30,20 @@ Correction correct_by(const Equations& equations, const CurveProblem& problem, c
     point.y = predicted;
     const Correction outcome = newton(equations, step, problem.newton, point.y, point.shooting).outcome;
     if (outcome != Correction::converged) return outcome;
-    if (problem.keeps_word && point.shooting.word != base.shooting.word) return Correction::word_changed;
+    if (problem.keeps_itinerary && point.shooting.itinerary != base.shooting.itinerary)
+        return Correction::itinerary_changed;
     if (problem.length(point.y - predicted) > farthest * std::abs(h) + indistinct) return Correction::failed;
     return find_tangent(problem, base.tangent, point) ? Correction::converged : Correction::failed;
 }
 
-/// By guesses on the map's surfaces; what is found must solve the equations themselves, with the same word.
+/// By guesses on the map's surfaces; what is found must solve the equations themselves, with the same itinerary.
 bool correct_on_surface(const CurveProblem& problem, const CurvePoint& base, double h, double farthest,
                         CurvePoint& point) {
     if (correct_by(problem.equations_from_surface, problem, base, h, farthest, point) != Correction::converged)
         return false;
     point.shooting = problem.equations(point.y);
     return closes_to(point.shooting, problem.newton.accept) &&
-           (!problem.keeps_word || point.shooting.word == base.shooting.word);
+           (!problem.keeps_itinerary || point.shooting.itinerary == base.shooting.itinerary);
 }
 
 }  // namespace

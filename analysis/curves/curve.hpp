@@ -25,7 +25,7 @@ struct CurveProblem {
     Equations equations_from_surface = {};
     NewtonRule newton = {};
     LocateRule locate = {};
-    bool keeps_word = true;  ///< a solution with another word lies on another smooth curve
+    bool keeps_itinerary = true;  ///< a solution with another itinerary lies on another smooth curve
 
     double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return a.cwiseProduct(weights).dot(b); }
     double length(const Eigen::VectorXd& y) const;

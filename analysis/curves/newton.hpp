@@ -11,9 +11,9 @@ namespace swirl::analysis {
 /// How a search for a solution, or for the next point of a curve, ends.
 enum class Correction {
     converged,
-    word_changed,  ///< converged on another smooth branch of the map
-    map_ended,     ///< the map ends on the way
-    failed,        ///< no solution found, or one so far from where the tangent led that it lies on another curve
+    itinerary_changed,  ///< converged on another smooth branch of the map
+    map_ended,          ///< the map ends on the way
+    failed,             ///< no solution found, or one so far from where the tangent led that it lies on another curve
 };
 
 /// When the method ends. What it is judged by, its size, is max |H|, or the length √(Σ w_i δy_i²) of its step.

@@ -45,7 +45,7 @@ ShootingResidual residual_of(const MapCoordinates& map, Eigen::Index parameters,
         shooting.rounding.segment(i, d) = rounding_of(step, points[k]);
         shooting.duration += step.duration;
         shooting.integral += step.integral;
-        shooting.word.push_back(step.letter);
+        shooting.itinerary.push_back(step.letter);
         shooting.steps.push_back(std::move(step));
     }
     shooting.alive = shooting.gap.allFinite() && shooting.jacobian.allFinite();

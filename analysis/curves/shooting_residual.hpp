@@ -15,11 +15,11 @@ using CyclePoints = std::vector<Eigen::VectorXd>;
 /// H(y) and ∂H/∂y at one y = (Z, parameters, …): G_i = F(z_i; p) − z_{i+1}, angles modulo their period (constraints: F
 /// alone), and what else is asked of a cycle (that it has a multiplier 1, that a vertex touches).
 struct ShootingResidual {
-    bool alive = false;              ///< false: the map ended at one of the points
-    Eigen::VectorXd gap;             ///< H; its first kD components are G
-    Eigen::MatrixXd jacobian;        ///< ∂H/∂y
-    std::vector<std::int64_t> word;  ///< the letters of the steps: which smooth branch of the map was taken
-    Eigen::VectorXd rounding;        ///< what the rounding of z and F leaves in each component of H; empty: not known
+    bool alive = false;                   ///< false: the map ended at one of the points
+    Eigen::VectorXd gap;                  ///< H; its first kD components are G
+    Eigen::MatrixXd jacobian;             ///< ∂H/∂y
+    std::vector<std::int64_t> itinerary;  ///< the letters of the steps: which smooth branch of the map was taken
+    Eigen::VectorXd rounding;  ///< what the rounding of z and F leaves in each component of H; empty: not known
 
     /// Of k points of one map; zero and empty for other equations.
     std::size_t period = 0;           ///< k

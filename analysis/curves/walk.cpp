@@ -32,12 +32,12 @@ void CurveWalk::step() {
     if (outcome == Correction::converged && !(problem_.product(here().tangent, next.tangent) > rule_.cosine))
         outcome = Correction::failed;
     if (outcome == Correction::converged && go_to(next)) {
-        word_behind_.clear();
+        itinerary_behind_.clear();
         if (++successes_ > rule_.successes_before) length_ = std::min(rule_.growth * length_, rule_.longest);
         if (!has_ended_) look_back();
         return;
     }
-    if (outcome == Correction::word_changed) word_behind_ = next.shooting.word;
+    if (outcome == Correction::itinerary_changed) itinerary_behind_ = next.shooting.itinerary;
     restart(0.5 * length_);
     if (length_ < rule_.shortest) meet_end(outcome);
 }

@@ -88,8 +88,8 @@ protected:
         has_ended_ = true;
     }
     double step_length() const { return length_; }
-    /// The word that a failed step since the last point led to; empty if none did.
-    const std::vector<std::int64_t>& word_behind() const { return word_behind_; }
+    /// The itinerary that a failed step since the last point led to; empty if none did.
+    const std::vector<std::int64_t>& itinerary_behind() const { return itinerary_behind_; }
     void begin_anew() { restart(rule_.first); }
 
     CurveProblem problem_;
@@ -105,7 +105,7 @@ private:
     std::function<bool()> stop_;
     double length_;
     int successes_ = 0;
-    std::vector<std::int64_t> word_behind_;
+    std::vector<std::int64_t> itinerary_behind_;
     CurveEnd end_ = CurveEnd::not_converged;
     bool has_ended_ = false;
 };

@@ -102,7 +102,7 @@ bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
     cycle.residual = shooting.residual();
     cycle.return_time = shooting.duration;
     cycle.mean = shooting.integral / shooting.duration;
-    cycle.word = shooting.word;
+    cycle.itinerary = shooting.itinerary;
     cycle.multipliers = exponents.multipliers;
     sort_multipliers(cycle.multipliers);
     cycle.index = index_of(cycle.multipliers);

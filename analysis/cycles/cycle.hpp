@@ -72,7 +72,7 @@ struct Cycle {
     std::int64_t found = 0;  ///< how many candidates of a search led to it; 0: known otherwise
     double return_time = 0;
     double mean = 0;  ///< time mean of the map's observable over the cycle
-    std::vector<std::int64_t> word;
+    std::vector<std::int64_t> itinerary;
     std::vector<std::complex<double>> multipliers;  ///< of DFᵏ, by falling modulus
     int index = 0;                                  ///< how many lie outside the unit circle
     Stability stability = Stability::stable;

@@ -78,7 +78,7 @@ namespace {
 /// Of a cycle's family at p. It goes on where sticking becomes sliding, with a kink at most.
 CurveProblem family_problem(const ShootingMap& map, std::size_t k, double p) {
     CurveProblem problem = cycle_problem(map, k, p);
-    problem.keeps_word = false;
+    problem.keeps_itinerary = false;
     problem.locate.takes_middle = false;
     return problem;
 }

@@ -91,7 +91,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
 }
 
 /// What is to be done; nothing is yet. @throws BadInput
-Diagram planned(BifurcateOptions& options) {
+Diagram plan(BifurcateOptions& options) {
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     options.settings.accuracy = options.output.accuracy();
@@ -110,7 +110,7 @@ std::string interruption_in_words(const Diagram& diagram, const std::string& rec
 }
 
 int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
-    Diagram diagram = planned(options);
+    Diagram diagram = plan(options);
     require_output(options.output, {options.scene.file()});
     require_creatable(options.output);
     note_interruptions();
@@ -145,7 +145,7 @@ int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
 
 int bifurcate(BifurcateOptions& options) {
     return on_all_ranks(
-        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        options.output.quiet, options.output.threads, [&] { return work_of(options, plan(options)); },
         [&](HandOut& hand_out) { return draw_diagram(options, hand_out); });
 }
 

@@ -23,7 +23,7 @@ namespace swirl::apps::bifurcate {
 
 namespace {
 
-std::string_view word_for(Origin origin) {
+std::string_view itinerary_for(Origin origin) {
     constexpr std::string_view words[] = {"random", "up", "down"};
     return words[static_cast<int>(origin)];
 }
@@ -61,7 +61,7 @@ std::vector<Field<AttractorRow>> place_fields(const Diagram& diagram) {
             F{"column", &Row::number, "1", "column"}.record_only(),
             F{"origin", [](const Row& row) { return static_cast<std::int64_t>(row.attractor->origin); }, "1",
               "0 random start, 1 followed up, 2 followed down"}
-                .json_as([](const Row& row) { return word_for(row.attractor->origin); }),
+                .json_as([](const Row& row) { return itinerary_for(row.attractor->origin); }),
             {"start", [](const Row& row) { return row.attractor->start; }, "1", "number of the random start"}};
 }
 

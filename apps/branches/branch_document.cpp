@@ -2,7 +2,7 @@
 
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 
 #include <fmt/format.h>
 
@@ -53,10 +53,11 @@ std::vector<double> all_coordinates_of(const PointRow& row) {
     return values;
 }
 
-/// A word as text: vertex step and contact mode of each letter, "+1 sliding, +2 c-sticking"; empty if the map ends.
-std::string in_words(const std::vector<std::int64_t>& word) {
+/// An itinerary as text: vertex step and contact mode of each letter, "+1 sliding, +2 c-sticking"; empty if the map
+/// ends.
+std::string in_words(const std::vector<std::int64_t>& itinerary) {
     std::string text;
-    for (const std::int64_t letter : word) {
+    for (const std::int64_t letter : itinerary) {
         const Letter l = letter_from(letter);
         text += fmt::format("{}{:+d} {}{}", text.empty() ? "" : ", ", l.vertex_step, name_of(l.mode),
                             l.through_contact ? " through contact" : "");
@@ -131,9 +132,10 @@ std::vector<Field<PointRow>> special_fields() {
     const auto border = [](const Row& row) { return row.special->kind == SpecialKind::border; };
     const auto has_form = [](const Row& row) { return row.special->normal_form.has_value(); };
     const auto of = [](auto member) { return [member](const Row& row) { return row.special->*member; }; };
-    const auto word = [border](const char* name, std::vector<std::int64_t> Special::*member, const char* long_name) {
+    const auto itinerary = [border](const char* name, std::vector<std::int64_t> Special::*member,
+                                    const char* long_name) {
         return F{name, [=](const Row& row) { return border(row) ? in_words(row.special->*member) : ""; }, "", long_name}
-            .json_written([=](JsonWriter& json, const Row& row) { write_word(json, row.special->*member); })
+            .json_written([=](JsonWriter& json, const Row& row) { write_itinerary(json, row.special->*member); })
             .json_if(border);
     };
     const auto form = [](const char* name, auto part, const char* units, const char* long_name) {
@@ -145,30 +147,31 @@ std::vector<Field<PointRow>> special_fields() {
     const auto angle = [](const Special& s) {
         return s.kind == SpecialKind::neimark_sacker ? s.normal_form->angle : std::numeric_limits<double>::quiet_NaN();
     };
-    return {F{"after", of(&Special::after), "1", "point of the branch that it comes after; the first is 0"},
-            F{"located", of(&Special::located), "1", "0: known only to lie between two points"}
-                .stored_as(ElementType::int64)
-                .json_if([](const Row& row) { return !row.special->located; }),
-            F{"normal_form", write_normal_form}.json_if(has_form),
-            word("word_before", &Special::word_before, "of a border: vertex steps and contact modes before it"),
-            word("word_after", &Special::word_after, "of a border: the same behind it"),
-            F{"goes_on", of(&Special::goes_on), "1", "0: no cycle was found behind the border"}
-                .stored_as(ElementType::int64)
-                .json_if(border),
-            F{"supercritical", supercritical, "1", "1 yes, 0 no, -1 does not apply"}.record_only(),
-            form(
-                "form_parameter_re", [](const Special& s) { return s.normal_form->parameter.real(); }, "1",
-                "normal form: a"),
-            form(
-                "form_parameter_im", [](const Special& s) { return s.normal_form->parameter.imag(); }, "1",
-                "normal form: a"),
-            form(
-                "form_nonlinear_re", [](const Special& s) { return s.normal_form->nonlinear.real(); }, "1",
-                "normal form: b"),
-            form(
-                "form_nonlinear_im", [](const Special& s) { return s.normal_form->nonlinear.imag(); }, "1",
-                "normal form: b"),
-            form("form_angle", angle, "rad", "normal form: theta")};
+    return {
+        F{"after", of(&Special::after), "1", "point of the branch that it comes after; the first is 0"},
+        F{"located", of(&Special::located), "1", "0: known only to lie between two points"}
+            .stored_as(ElementType::int64)
+            .json_if([](const Row& row) { return !row.special->located; }),
+        F{"normal_form", write_normal_form}.json_if(has_form),
+        itinerary("word_before", &Special::itinerary_before, "of a border: vertex steps and contact modes before it"),
+        itinerary("word_after", &Special::itinerary_after, "of a border: the same behind it"),
+        F{"goes_on", of(&Special::goes_on), "1", "0: no cycle was found behind the border"}
+            .stored_as(ElementType::int64)
+            .json_if(border),
+        F{"supercritical", supercritical, "1", "1 yes, 0 no, -1 does not apply"}.record_only(),
+        form(
+            "form_parameter_re", [](const Special& s) { return s.normal_form->parameter.real(); }, "1",
+            "normal form: a"),
+        form(
+            "form_parameter_im", [](const Special& s) { return s.normal_form->parameter.imag(); }, "1",
+            "normal form: a"),
+        form(
+            "form_nonlinear_re", [](const Special& s) { return s.normal_form->nonlinear.real(); }, "1",
+            "normal form: b"),
+        form(
+            "form_nonlinear_im", [](const Special& s) { return s.normal_form->nonlinear.imag(); }, "1",
+            "normal form: b"),
+        form("form_angle", angle, "rad", "normal form: theta")};
 }
 
 Table<PointRow> special_table(const SceneBranches& scene, const std::string& observable, std::size_t longest) {
@@ -185,7 +188,7 @@ Table<PointRow> special_table(const SceneBranches& scene, const std::string& obs
 Table<Branch> branch_table(const SceneBranches& scene) {
     using F = Field<Branch>;
     const auto is_switched = [](const Branch& branch) { return branch.parent >= 0; };
-    const auto word = [](const Branch& branch) { return branch.points.front().at.shooting.word; };
+    const auto itinerary = [](const Branch& branch) { return branch.points.front().at.shooting.itinerary; };
     const auto points = [&](JsonWriter& json, const Branch& branch) {
         write_rows(json, cycle_table(scene, "", "S", 1), points_of(branch, 0));
     };
@@ -199,9 +202,9 @@ Table<Branch> branch_table(const SceneBranches& scene) {
          {"ends", &Branch::end, "", "why it ends at its last"},
          F{"switched_from", &Branch::parent, "1", "a branch; -1: none"}.json_if(is_switched),
          F{"switched_at", &Branch::parent_special, "1", "that branch's special point; -1: none"}.json_if(is_switched),
-         F{"word", [word](const Branch& b) { return in_words(word(b)); }, "",
+         F{"word", [itinerary](const Branch& b) { return in_words(itinerary(b)); }, "",
            "vertex step and contact mode of each impact"}
-             .json_written([word](JsonWriter& json, const Branch& b) { write_word(json, word(b)); }),
+             .json_written([itinerary](JsonWriter& json, const Branch& b) { write_itinerary(json, itinerary(b)); }),
          {"points", points},
          {"special", special}},
         {"period", "begins", "ends", "word"}};

@@ -1,6 +1,6 @@
 #include "apps/branches/section_point.hpp"
 
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,9 +43,9 @@ void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinate
     write_point(json, Eigen::Map<const Eigen::VectorXd>(coordinates.data(), end - coordinates.begin()));
 }
 
-void write_word(JsonWriter& json, const std::vector<std::int64_t>& word) {
+void write_itinerary(JsonWriter& json, const std::vector<std::int64_t>& itinerary) {
     json.begin_array();
-    for (const std::int64_t letter : word) {
+    for (const std::int64_t letter : itinerary) {
         const Letter l = letter_from(letter);
         json.begin_object();
         json.member("vertex_step", std::int64_t{l.vertex_step});

@@ -18,8 +18,8 @@ Eigen::Index place_of(const std::string& observable, Eigen::Index size);
 void write_point(JsonWriter& json, const Eigen::VectorXd& z);
 /// A list of coordinates, which NaN may fill up, as a JSON object; null of none.
 void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinates);
-/// A word as a list of {vertex_step, contact_mode}.
-void write_word(JsonWriter& json, const std::vector<std::int64_t>& word);
+/// An itinerary as a list of {vertex_step, contact_mode}.
+void write_itinerary(JsonWriter& json, const std::vector<std::int64_t>& itinerary);
 /// The names of a section point's coordinates; a disk's has four.
 std::vector<std::string> coordinate_names(Eigen::Index size);
 /// The unit of one of them.

@@ -51,9 +51,9 @@ void write_steps(JsonWriter& json, const Orbit& orbit) {
         write_point_of(json, orbit.scene, {r[0], r[1], r[2], r[3], r[4]});
         json.member("flight_time", p.times[i]);
         json.member("flight_time_half_width", p.time_radii[i]);
-        json.member("vertex_step", p.word[i].vertex_step);
-        json.member("contact_mode", name_of(p.word[i].mode));
-        json.member("slip", p.word[i].slip);
+        json.member("vertex_step", p.itinerary[i].vertex_step);
+        json.member("contact_mode", name_of(p.itinerary[i].mode));
+        json.member("slip", p.itinerary[i].slip);
         json.end_object();
     }
     json.end_array();

@@ -47,7 +47,7 @@ void check(const ClassifyCommandOptions& options) {
 }
 
 /// What is to be done; nothing is yet. @throws BadInput
-Scene<double> planned(ClassifyCommandOptions& options) {
+Scene<double> plan(ClassifyCommandOptions& options) {
     if (!(options.input.record.empty() && options.input.series.file.empty()))
         throw BadInput(
             fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
@@ -195,7 +195,7 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
 
 int name_runs(ClassifyCommandOptions& options, HandOut& hand_out) {
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
-    const Scene<double> scene = planned(options);
+    const Scene<double> scene = plan(options);
     require_creatable(options.output);
     note_interruptions();
     RunsFound found;
@@ -223,7 +223,7 @@ int name_runs(ClassifyCommandOptions& options, HandOut& hand_out) {
 
 int classify_runs(ClassifyCommandOptions& options) {
     return on_all_ranks(
-        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        options.output.quiet, options.output.threads, [&] { return work_of(options, plan(options)); },
         [&](HandOut& hand_out) { return name_runs(options, hand_out); });
 }
 

@@ -101,7 +101,7 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
          {"index", &Cycle::index, "1", "multipliers outside the unit circle"},
          {"stability", &Cycle::stability, "", "by the multipliers"},
          F{"residual", &Cycle::residual, "1", "largest |F(z_i) - z_(i+1)|"}.shown("residual", " {:>8.1e}"),
-         {"word", [](JsonWriter& json, const Cycle& c) { write_word(json, c.word); }},
+         {"word", [](JsonWriter& json, const Cycle& c) { write_itinerary(json, c.itinerary); }},
          F{"family", [](const Cycle& c) { return c.tangents.cols(); }, "1", "parameters of the family; 0: isolated"}
              .json_written(family),
          F{"largest_multiplier", [](const Cycle& c) { return std::abs(c.multipliers.front()); }, no_column}

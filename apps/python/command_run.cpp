@@ -28,7 +28,7 @@ int run_words(std::vector<std::string>& words) {
     apps::add_commands(program);
     std::string name = "swirl";
     std::vector<char*> arguments = {name.data()};
-    for (std::string& word : words) arguments.push_back(word.data());
+    for (std::string& itinerary : words) arguments.push_back(itinerary.data());
     return program.called(static_cast<int>(arguments.size()), arguments.data())();
 }
 

@@ -67,7 +67,7 @@ ReadScene read_scene(const std::vector<std::string>& words) {
     std::vector<std::string> line = {"swirl", command_of_scene};
     line.insert(line.end(), words.begin(), words.end());
     std::vector<char*> arguments;
-    for (std::string& word : line) arguments.push_back(word.data());
+    for (std::string& itinerary : line) arguments.push_back(itinerary.data());
     program.called(static_cast<int>(arguments.size()), arguments.data())();
     return found;
 }

@@ -200,7 +200,7 @@ std::vector<GridAxis> planned_grid(const SweepOptions& options) {
 }
 
 /// What is to be done; nothing is yet. @throws BadInput
-Sweep planned(SweepOptions& options) {
+Sweep plan(SweepOptions& options) {
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     if (options.refine > 0 && !options.sample.empty())
@@ -262,7 +262,7 @@ bool run_the_rest(const SweepOptions& options, Sweep& sweep, std::vector<char>& 
 }
 
 int sweep_grid(SweepOptions& options, HandOut& hand_out) {
-    Sweep sweep = planned(options);
+    Sweep sweep = plan(options);
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     const std::string& path = options.output.record;
     check_output(options);
@@ -287,7 +287,7 @@ int sweep_grid(SweepOptions& options, HandOut& hand_out) {
 
 int sweep(SweepOptions& options) {
     return on_all_ranks(
-        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        options.output.quiet, options.output.threads, [&] { return work_of(options, plan(options)); },
         [&](HandOut& hand_out) { return sweep_grid(options, hand_out); });
 }
 

@@ -96,7 +96,7 @@ inline constexpr int most_longer = 64;
 
 /// The rest of chatter, in the velocities of the point that touches; lever arms and accelerations are constant in it.
 template <class T>
-struct RestOfChatter {
+struct RemainingChatter {
     ContactKinematics<T> u;  ///< just after an impact: u_n = −v, u_t
     T acceleration;          ///< a > 0
     T along;                 ///< a_t
@@ -105,8 +105,8 @@ struct RestOfChatter {
 /// Just after an impact.
 ///   acceleration  a > 0 at rest
 template <class T>
-RestOfChatter<T> rest_of_chatter(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
-                                 const T& acceleration) {
+RemainingChatter<T> remaining_chatter(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
+                                      const T& acceleration) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T turning = scene.is_disk() ? T(0) : T(post_impact.spin * post_impact.spin * u.rt);
     return {u, acceleration, T(-scene.body.beta * post_impact.psi.y - turning)};
@@ -114,14 +114,14 @@ RestOfChatter<T> rest_of_chatter(const ContactScene<T>& scene, const PostImpactS
 
 /// How far the point that touches goes along the wall until it rests there.
 template <class T>
-struct WayToRest {
+struct DistanceToRest {
     bool rests = false;  ///< false: its slip does not stop, or the sum does not hold
     T distance{};
 };
 
 /// e′, at which impacts after flights from u_t = 0 on rebound; nothing where such an impact does not stick.
 template <class T>
-std::optional<T> rebound_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
+std::optional<T> rebound_while_stuck(const ContactScene<T>& scene, const RemainingChatter<T>& rest) {
     ContactKinematics<T> u = rest.u;
     u.un = T(1);
     u.ut = T(2) * rest.along / rest.acceleration;
@@ -138,12 +138,13 @@ bool lasts_too_long(const ContactScene<T>& scene, const T& rebound) {
 
 /// From u_t = 0 on, in closed form; nothing where the next impact does not stick.
 template <class T>
-std::optional<WayToRest<T>> way_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& v) {
+std::optional<DistanceToRest<T>> distance_while_stuck(const ContactScene<T>& scene, const RemainingChatter<T>& rest,
+                                                      const T& v) {
     const std::optional<T> rebound = rebound_while_stuck(scene, rest);
     if (!rebound) return {};
-    if (lasts_too_long(scene, *rebound)) return WayToRest<T>{};
+    if (lasts_too_long(scene, *rebound)) return DistanceToRest<T>{};
     const T flight = v / rest.acceleration;  // half of the first one's duration
-    return WayToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - *rebound * *rebound)};
+    return DistanceToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - *rebound * *rebound)};
 }
 
 /// A slip in the rest of chatter, and the way so far.
@@ -156,7 +157,7 @@ struct SlipSoFar {
 /// k: how much v changes u_t in a flight and the impact after it, which slips throughout.
 ///   friction_ratio  q/p = −sμ
 template <class T>
-T change_by_sliding(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& friction_ratio) {
+T change_by_sliding(const ContactScene<T>& scene, const RemainingChatter<T>& rest, const T& friction_ratio) {
     const ContactKinematics<T>& u = rest.u;
     const T c = u.b2() + u.b3() * friction_ratio;
     return (u.b3() + u.b1() * friction_ratio) * (T(1) + scene.restitution) / c + T(2) * rest.along / rest.acceleration;
@@ -166,7 +167,7 @@ T change_by_sliding(const ContactScene<T>& scene, const RestOfChatter<T>& rest, 
 ///   change  k
 ///   fallen  eᵐ; 0: after all of them
 template <class T>
-SlipSoFar<T> slide(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const SlipSoFar<T>& from,
+SlipSoFar<T> slide(const ContactScene<T>& scene, const RemainingChatter<T>& rest, const SlipSoFar<T>& from,
                    const T& change, const T& fallen) {
     const T& e = scene.restitution;
     const T flight = T(2) * from.v / rest.acceleration, g = (T(1) - fallen) / (T(1) - e),
@@ -193,7 +194,7 @@ T friction_ratio_of(const ContactScene<T>& scene, const T& along) {
 
 /// Past all impacts but the last two that slip throughout; nothing where the slip never stops. Where |B₃| ≤ μB₁.
 template <class T>
-std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest,
+std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RemainingChatter<T>& rest,
                                      const SlipSoFar<T>& from) {
     using std::floor, std::log, std::log1p, std::pow;
     const T& e = scene.restitution;
@@ -208,14 +209,14 @@ std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfC
 
 /// Slipping in the sense of `along` until v is zero.
 template <class T>
-SlipSoFar<T> slide_to_the_end(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const SlipSoFar<T>& from,
+SlipSoFar<T> slide_to_the_end(const ContactScene<T>& scene, const RemainingChatter<T>& rest, const SlipSoFar<T>& from,
                               const T& along) {
     return slide(scene, rest, from, change_by_sliding(scene, rest, friction_ratio_of(scene, along)), T(0));
 }
 
 /// After one more flight and impact; does that stop the slip?
 template <class T>
-bool goes_on_to_stick(const ContactScene<T>& scene, const RestOfChatter<T>& rest, SlipSoFar<T>& slip) {
+bool goes_on_to_stick(const ContactScene<T>& scene, const RemainingChatter<T>& rest, SlipSoFar<T>& slip) {
     const T flight = T(2) * slip.v / rest.acceleration;
     slip.way += (slip.ut + T(0.5) * rest.along * flight) * flight;
     ContactKinematics<T> u = rest.u;
@@ -232,7 +233,7 @@ bool goes_on_to_stick(const ContactScene<T>& scene, const RestOfChatter<T>& rest
 /// (2011) 85). 1 where that is at most `most_longer`, and where no impact sticks.
 ///   least  u_t up to this is rounding
 template <class T>
-Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const Plain<T>& least) {
+Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RemainingChatter<T>& rest, const Plain<T>& least) {
     using std::abs;
     const ContactKinematics<T>& u = rest.u;
     if (plain(abs(u.b3())) > plain(T(scene.mu * u.b1()))) return 1;
@@ -249,7 +250,8 @@ Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>
 /// The way of contact that slips from `state` on at its present rate until it rests.
 ///   longest  the time within which it does
 template <class T>
-WayToRest<T> way_of_contact(const ContactScene<T>& scene, const ContactState<T>& state, const Plain<T>& longest) {
+DistanceToRest<T> distance_of_contact(const ContactScene<T>& scene, const ContactState<T>& state,
+                                      const Plain<T>& longest) {
     if (plain(state.ut) == 0) return {true, T(0)};
     const auto motion = plain(state.ut) > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
     const Reaction<T> slips = reaction_of(scene, scene.is_disk() ? Support::rim : Support::vertex, motion, state);
@@ -264,11 +266,11 @@ WayToRest<T> way_of_contact(const ContactScene<T>& scene, const ContactState<T>&
 /// of the friction that contact has (after the one that stopped the slip all of them slide).
 ///   landing  in contact; its u_t is not read
 ///   least    v and u_t up to this are rounding
-///   longest  as in `way_of_contact`
+///   longest  as in `distance_of_contact`
 /// Cost: a few impacts; up to 1,000 where |B₃| > μB₁.
 template <class T>
-WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& rest, ContactState<T> landing,
-                         const Plain<T>& least, const Plain<T>& longest) {
+DistanceToRest<T> distance_to_rest(const ContactScene<T>& scene, const RemainingChatter<T>& rest,
+                                   ContactState<T> landing, const Plain<T>& least, const Plain<T>& longest) {
     using std::abs;
     const ContactKinematics<T>& u = rest.u;
     const SlipSoFar<T> begin{T(-u.un), u.ut};
@@ -279,7 +281,8 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
     const int most_impacts = holds ? 8 : 1000;  // two before a flight turns the slip, two after, one that sticks; room
     for (int i = 0; i < most_impacts && plain(slip->v) > least; ++i) {
         if (stuck) {
-            if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
+            if (const auto on = distance_while_stuck(scene, rest, slip->v))
+                return {on->rests, slip->way + on->distance};
             if (holds) {
                 slip = slide_to_the_end(scene, rest, *slip, rest.along);
                 break;
@@ -294,7 +297,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
     }
     if (plain(slip->v) > least) return {};
     landing.ut = stuck && plain(abs(slip->ut)) <= least ? T(0) : slip->ut;
-    const WayToRest<T> on = way_of_contact(scene, landing, longest);
+    const DistanceToRest<T> on = distance_of_contact(scene, landing, longest);
     return {on.rests, slip->way + on.distance};
 }
 
@@ -309,16 +312,17 @@ template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      const Slip<T>& slip, ContactState<T>& state) {
     const Body<T>& body = scene.body;
-    const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, acceleration);
+    const RemainingChatter<T> rest = remaining_chatter(scene, post_impact, acceleration);
     const ContactKinematics<T>& u = rest.u;
     const Plain<T> rounding = plain(velocity_rounding(scene, post_impact));
     if (!(plain(T(-u.un)) > rounding) || !(plain(acceleration) > 0)) return;
     if (!can_stick(scene, post_impact)) return;
     const Plain<T> lasts = -2 * plain(u.un) / (plain(acceleration) * (1 - plain(scene.restitution)));  // chatter, by e
     const Plain<T> longest = most_longer * lasts;
-    const WayToRest<T> contact = slip.slides ? way_of_contact(scene, state, longest) : WayToRest<T>{true, T(0)};
+    const DistanceToRest<T> contact =
+        slip.slides ? distance_of_contact(scene, state, longest) : DistanceToRest<T>{true, T(0)};
     if (!contact.rests) return;
-    const WayToRest<T> chatter = way_to_rest(scene, rest, state, rounding, longest);
+    const DistanceToRest<T> chatter = distance_to_rest(scene, rest, state, rounding, longest);
     if (!chatter.rests) return;
     const T d = chatter.distance - contact.distance;
     if (scene.is_disk()) {
@@ -418,7 +422,7 @@ Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_i
     }
     if (touch.rests && scene.mu > T(0)) {
         const T at_rest = free_acceleration(scene, post_impact, T(0));
-        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
+        const RemainingChatter<T> rest = remaining_chatter(scene, post_impact, at_rest);
         touch.rests = error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
                       chatter_tolerance<T>();
     }

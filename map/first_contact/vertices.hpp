@@ -89,7 +89,7 @@ inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant
         gap.value = short_side_gap(body, at, candidate.vertex);
         return gap;
     }
-    gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.rest_of_vertex(at.arm, candidate.vertex));
+    gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.residual_of_vertex(at.arm, candidate.vertex));
     return gap;
 }
 

@@ -60,12 +60,12 @@ struct Body {
     }
     /// The rounding error of the tabled rotation, some 10⁻¹⁷ of v and the same for the same k. It is below the last
     /// digit of the vector, and is added to the vertex's gap and to the angles of its impact, or J would drift.
-    Vec2<T> rest_of_vertex(const Vec2<T>& v, int k) const {
+    Vec2<T> residual_of_vertex(const Vec2<T>& v, int k) const {
         if (rests.empty()) return {T(0), T(0)};
         return times(v, rests[static_cast<std::size_t>(k)]);
     }
     /// The angle that is missing from that rotation, < 0 if it went too far.
-    T rest_angle(int k) const {
+    T residual_angle(int k) const {
         if (rests.empty()) return T(0);
         return cross(vertices[static_cast<std::size_t>(k)], rests[static_cast<std::size_t>(k)]);
     }

@@ -37,8 +37,8 @@ bool is_the_one(const BallPoint<Ball>& z, const Ball& tau, const CycleProof& pro
 
 /// Proven or refuted, or undecided with a reason. Refuted is what no mode that is possible there makes an orbit, or
 /// whose flight meets another vertex.
-CycleProof judged(const Scene<double>& scene, const BallPoint<Ball>& z, const Ball& tau, int step,
-                  const std::vector<ContactMode>& modes) {
+CycleProof judge(const Scene<double>& scene, const BallPoint<Ball>& z, const Ball& tau, int step,
+                 const std::vector<ContactMode>& modes) {
     CycleProof last;
     std::size_t refuted = 0;
     for (const ContactMode mode : modes) {
@@ -72,7 +72,7 @@ std::optional<CycleProof> refuted_by_slip(const BallScene& balls, const FixedPoi
     proof.verdict = Verdict::refuted;
     proof.points = {middle_of(z)};
     proof.times = {middle(tau)};
-    proof.word = {{step, ContactMode::sliding, intervals::is_positive(set.sine) ? 1 : -1}};
+    proof.itinerary = {{step, ContactMode::sliding, intervals::is_positive(set.sine) ? 1 : -1}};
     proof.reason = words("impact 1, sliding: s u_t after > 0 fails, it lies in %.3g ... %.3g", intervals::lower(slip),
                          intervals::upper(slip));
     return proof;
@@ -119,7 +119,7 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
             judged_here.refuted.push_back(std::move(*refuted));
             continue;
         }
-        CycleProof proof = judged(scene, z, solution.tau, step, modes_of(balls, set, solution));
+        CycleProof proof = judge(scene, z, solution.tau, step, modes_of(balls, set, solution));
         if (proof.verdict == Verdict::undecided)
             all.open.push_back(open_cell(set, solution.cell, "one solution, undecided: " + proof.reason));
         else

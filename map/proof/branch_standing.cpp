@@ -29,7 +29,7 @@ constexpr std::size_t coordinates = 5;
 /// The impact of a solution: its mode, if its inequalities are certain; `refuted` if one is violated for all
 /// parameters.
 struct ImpactSight {
-    std::optional<Branch> word;
+    std::optional<Branch> itinerary;
     bool refuted = false;
 
     /// Something has to be positive. @return whether it is
@@ -55,7 +55,8 @@ ImpactSight sticking_impact(const SceneIn<Ranging>& scene, const SteadyInBalls<R
     if (!sight.needs(one - share) || !sight.needs(one - epsilon) || contains_zero(order)) return sight;
     const bool early = is_negative(order);
     if (!early && !sight.needs(slipping)) return sight;
-    sight.word = Branch{step, early ? ContactMode::c_sticking : ContactMode::r_sticking, is_positive(at.s) ? 1 : -1};
+    sight.itinerary =
+        Branch{step, early ? ContactMode::c_sticking : ContactMode::r_sticking, is_positive(at.s) ? 1 : -1};
     return sight;
 }
 
@@ -63,7 +64,7 @@ ImpactSight sticking_impact(const SceneIn<Ranging>& scene, const SteadyInBalls<R
 ImpactSight sliding_impact(const SceneIn<Ranging>& scene, ContactSet set, const BallPoint<Ranging>& z, int step) {
     ImpactSight sight;
     if (sight.needs(Ranging(slip_of(set)) * kinematics(scene, z).ut))
-        sight.word = Branch{step, ContactMode::sliding, slip_of(set)};
+        sight.itinerary = Branch{step, ContactMode::sliding, slip_of(set)};
     return sight;
 }
 
@@ -80,20 +81,21 @@ ImpactSight impact_of(const SceneIn<Ranging>& scene, const SolutionBranch& branc
 }
 
 /// F(z) = z holds by the two equations; an enclosure that excludes it would be wrong.
-bool closes(const SceneIn<Ranging>& scene, const Branch& word, const BallPoint<Ranging>& z, const Ranging& tau) {
-    const BallStep<Ranging> step = step_in_balls<Ranging>(scene, word, tau.mid, z, tau);
+bool closes(const SceneIn<Ranging>& scene, const Branch& itinerary, const BallPoint<Ranging>& z, const Ranging& tau) {
+    const BallStep<Ranging> step = step_in_balls<Ranging>(scene, itinerary, tau.mid, z, tau);
     return contains_zero(step.gap) && contains_zero(step.after.vn - z.vn) && contains_zero(step.after.vt - z.vt) &&
            contains_zero(step.after.spin - z.spin);
 }
 
 /// How many multipliers lie inside the unit circle. With F(z, τ) and the gap g(z, τ), DF − λ is what elimination leaves
 /// of (F_z − λ, F_τ; g_z, g_τ), whose determinant is g_τ det(DF − λ).
-std::optional<int> multipliers_inside(const SceneIn<Ranging>& scene, const Branch& word, const BallPoint<Ranging>& z,
-                                      const Ranging& tau) {
+std::optional<int> multipliers_inside(const SceneIn<Ranging>& scene, const Branch& itinerary,
+                                      const BallPoint<Ranging>& z, const Ranging& tau) {
     const BallPoint<StepSlopes> at{StepSlopes::variable(z.psi, 0), StepSlopes::variable(z.chi, 1),
                                    StepSlopes::variable(z.vn, 2), StepSlopes::variable(z.vt, 3),
                                    StepSlopes::variable(z.spin, 4)};
-    const BallStep<StepSlopes> step = step_in_balls<StepSlopes>(scene, word, tau.mid, at, StepSlopes::variable(tau, 5));
+    const BallStep<StepSlopes> step =
+        step_in_balls<StepSlopes>(scene, itinerary, tau.mid, at, StepSlopes::variable(tau, 5));
     intervals::CurvedMatrix a, b;
     for (const StepSlopes* row :
          {&step.after.psi, &step.after.chi, &step.after.vn, &step.after.vt, &step.after.spin, &step.gap}) {
@@ -125,9 +127,10 @@ cells::BranchStanding standing_of(const PlaneScene& plane, const cells::Paramete
     const Verdict flight = clear_over_cell(timed, start, timed_tau, branch.j);
     if (flight == Verdict::refuted) return BranchStanding::no_fixed_point();
     if (!(upper(tau) <= plane.max_time)) return BranchStanding::doubtful(Doubt::longest_flight);
-    if (!impact.word || !closes(scene, *impact.word, z, tau)) return BranchStanding::doubtful(Doubt::contact_mode);
+    if (!impact.itinerary || !closes(scene, *impact.itinerary, z, tau))
+        return BranchStanding::doubtful(Doubt::contact_mode);
     if (flight != Verdict::proven) return BranchStanding::doubtful(Doubt::clearance);
-    const auto inside = multipliers_inside(scene, *impact.word, z, tau);
+    const auto inside = multipliers_inside(scene, *impact.itinerary, z, tau);
     if (!inside) return BranchStanding::doubtful(Doubt::stability);
     return BranchStanding::fixed_point(static_cast<int>(coordinates) - *inside, *inside);
 }

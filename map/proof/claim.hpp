@@ -25,11 +25,11 @@ struct Phase {
     double value = 0;
 };
 
-/// A k-cycle with its word; not yet proven.
+/// A k-cycle with its itinerary; not yet proven.
 struct CycleClaim {
     std::vector<SectionPoint<double>> points;
-    std::vector<double> times;  ///< of the flight that begins at each point, in 1/ω_s
-    std::vector<Branch> word;   ///< of the impact that ends it; `slip` is found by the proof
+    std::vector<double> times;      ///< of the flight that begins at each point, in 1/ω_s
+    std::vector<Branch> itinerary;  ///< of the impact that ends it; `slip` is found by the proof
 };
 
 /// |z − (re + i im)| ≤ radius.
@@ -48,7 +48,7 @@ std::string_view name_of(ProvenStability stability);
 
 enum class Verdict {
     proven,
-    refuted,    ///< the solution of the word's equations, which exists, is no orbit: an inequality is violated
+    refuted,    ///< the solution of the itinerary's equations, which exists, is no orbit: an inequality is violated
     undecided,  ///< nothing is proven
 };
 
@@ -61,7 +61,7 @@ struct CycleProof {
     std::vector<SectionPoint<double>> points;
     std::vector<PointRadii> radii;  ///< of the boxes about the points
     std::vector<double> times, time_radii;
-    std::vector<Branch> word;
+    std::vector<Branch> itinerary;
     std::optional<Phase> phase;  ///< of a family
     std::vector<MultiplierDisc> multipliers;
     ProvenStability stability = ProvenStability::undecided;

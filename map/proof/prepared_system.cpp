@@ -35,9 +35,9 @@ double wall_advance(const BallScene& scene, const SectionPoint<double>& z, doubl
 
 void set_branches(CycleSystem& system, const CycleClaim& claim) {
     for (std::size_t i = 0; i < claim.points.size(); ++i) {
-        system.word.push_back(claim.word[i]);
-        system.advances.push_back(wall_advance(system.scene, claim.points[i], claim.times[i], claim.word[i]));
-        Branch& branch = system.word.back();
+        system.itinerary.push_back(claim.itinerary[i]);
+        system.advances.push_back(wall_advance(system.scene, claim.points[i], claim.times[i], claim.itinerary[i]));
+        Branch& branch = system.itinerary.back();
         branch.slip = 0;
         const BallStep<Ball> step =
             step_in_balls<Ball>(system.scene, {branch.vertex_step, ContactMode::frictionless, 0}, system.advances[i],

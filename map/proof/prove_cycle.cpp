@@ -32,7 +32,7 @@ Finding check_modes(const CycleSystem& system, const BallVector& box) {
             const bool wrong = intervals::is_negative(margin.value);
             return {wrong ? Verdict::refuted : Verdict::undecided,
                     words("impact %zu, %s: %s fails, it lies in %.3g ... %.3g", i + 1,
-                          std::string(name_of(system.word[i].mode)).c_str(), margin.name.c_str(),
+                          std::string(name_of(system.itinerary[i].mode)).c_str(), margin.name.c_str(),
                           intervals::lower(margin.value), intervals::upper(margin.value))};
         }
     }
@@ -42,7 +42,7 @@ Finding check_modes(const CycleSystem& system, const BallVector& box) {
 Finding check_flights(const CycleSystem& system, const BallVector& box) {
     for (std::size_t i = 0; i < system.period(); ++i) {
         const int sides = std::max(1, system.scene.sides);
-        const int arriving = ((system.word[i].vertex_step % sides) + sides) % sides;
+        const int arriving = ((system.itinerary[i].vertex_step % sides) + sides) % sides;
         const Clearance clearance = clear_flight(system.scene, system.point(box, i), system.time(box, i), arriving);
         if (clearance.verdict != Verdict::proven)
             return {clearance.verdict, words("flight %zu: %s", i + 1, clearance.reason.c_str())};
@@ -112,7 +112,7 @@ std::vector<Disc> multipliers_of(const CycleSystem& system, const BallVector& cy
     for (std::size_t i = 1; i < system.period(); ++i)
         derivative = product(step_derivative(system, cycle, i), derivative);
     std::vector<Disc> discs = intervals::eigenvalue_discs(derivative);
-    const bool sticks = std::any_of(system.word.begin(), system.word.end(),
+    const bool sticks = std::any_of(system.itinerary.begin(), system.itinerary.end(),
                                     [](const Branch& branch) { return ends_in_stick(branch.mode); });
     if (sticks) set_exact(discs, 0);  // u_t = 0 after the impact: DF has lost a rank
     if (system.form != FamilyForm::isolated) set_exact(discs, 1);
@@ -161,9 +161,9 @@ CycleProof prove_cycle(const Scene<double>& scene, const CycleClaim& claim) {
     CycleProof proof;
     proof.points = claim.points;
     proof.times = claim.times;
-    proof.word = claim.word;
+    proof.itinerary = claim.itinerary;
     const PreparedSystem prepared = prepared_system(validated(scene), claim);
-    proof.word = prepared.system.word;
+    proof.itinerary = prepared.system.itinerary;
     proof.reason = prepared.reason;
     if (!proof.reason.empty()) return proof;
     const KrawczykBox found = krawczyk_box(prepared);

@@ -9,8 +9,8 @@ namespace swirl::proof {
 /// other functions of this folder
 void require_interval_arithmetic();
 
-/// Proves that an explicit box about the claimed points holds exactly one cycle of F with the claimed word, that no
-/// vertex touches earlier on any of its flights, that every impact is in its mode, that its period is k and no less;
+/// Proves that an explicit box about the claimed points holds exactly one cycle of F with the claimed itinerary, that
+/// no vertex touches earlier on any of its flights, that every impact is in its mode, that its period is k and no less;
 /// and encloses its multipliers. The scene's numbers are the shortest decimals of its doubles.
 ///
 /// A family's member (e = 1 without friction; a disk's fixed points at e = 1) is that with the claimed S, or, where S

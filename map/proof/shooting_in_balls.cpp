@@ -23,7 +23,7 @@ BallPoint<Ball> CycleSystem::point(const BallVector& unknowns, std::size_t i) co
 }
 
 BallStep<Ball> CycleSystem::step(const BallVector& unknowns, std::size_t i, Margins* margins) const {
-    return step_in_balls<Ball>(scene, word[i], advances[i], point(unknowns, i), time(unknowns, i), margins);
+    return step_in_balls<Ball>(scene, itinerary[i], advances[i], point(unknowns, i), time(unknowns, i), margins);
 }
 
 BallStep<StepDual> CycleSystem::differentiated_step(const BallVector& unknowns, std::size_t i) const {
@@ -31,7 +31,8 @@ BallStep<StepDual> CycleSystem::differentiated_step(const BallVector& unknowns, 
     BallPoint<StepDual> z;
     for (std::size_t index = 0; index < 5; ++index) coordinate(z, index).value = coordinate(at, index);
     for (const std::size_t index : active) coordinate(z, index).by[index] = Ball(1);
-    return step_in_balls<StepDual>(scene, word[i], advances[i], z, StepDual::variable(time(unknowns, i), time_index));
+    return step_in_balls<StepDual>(scene, itinerary[i], advances[i], z,
+                                   StepDual::variable(time(unknowns, i), time_index));
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// A cycle with a given word as one system of equations over balls: multiple shooting with the flights' times.
+// A cycle with a given itinerary as one system of equations over balls: multiple shooting with the flights' times.
 #pragma once
 
 #include "map/intervals/krawczyk.hpp"
@@ -29,7 +29,7 @@ enum class FamilyForm {
 /// The unknowns are, step by step, the state's coordinates that are not fixed and τ, then λ if there is one.
 struct CycleSystem {
     BallScene scene;
-    std::vector<Branch> word;
+    std::vector<Branch> itinerary;
     std::vector<double> advances;           ///< the wall's, roughly
     std::vector<std::size_t> active;        ///< a disk drops χ, a frictionless one S, too, which never changes
     double fixed_spin = 0;                  ///< where S is dropped
@@ -38,7 +38,7 @@ struct CycleSystem {
     std::optional<Phase> phase;
     std::array<double, 5> conserved_gradient{};  ///< a ≈ ∇J(z_1)
 
-    std::size_t period() const { return word.size(); }
+    std::size_t period() const { return itinerary.size(); }
     std::size_t unknowns_of_step() const { return active.size() + 1; }
     std::size_t unknowns() const { return period() * unknowns_of_step() + (form == FamilyForm::conserved ? 1 : 0); }
     /// The state of step i and its time, from a vector of unknowns.

@@ -283,9 +283,9 @@ std::optional<int> multipliers_inside(const StepEquationsOver<Ranging>& all) {
     return intervals::zeros_inside(a, b);
 }
 
-/// The word of a solution, if its inequalities are certain; `none`: one is violated for all p.
-struct WordSight {
-    std::optional<StatedStep> word;
+/// The itinerary of a solution, if its inequalities are certain; `none`: one is violated for all p.
+struct ItinerarySight {
+    std::optional<StatedStep> itinerary;
     bool none = false;
 
     bool needs(const Ranging& x) {
@@ -294,35 +294,35 @@ struct WordSight {
     }
 };
 
-WordSight word_of(const SceneOver<Ranging>& scene, int set, const MotionStart<Ranging>& z, const Ranging& tau,
-                  const Ranging& psi, int arriving) {
+ItinerarySight itinerary_of(const SceneOver<Ranging>& scene, int set, const MotionStart<Ranging>& z, const Ranging& tau,
+                            const Ranging& psi, int arriving) {
     const Mode<Ranging, Ranging> at(scene, tau, psi);
-    WordSight sight;
-    StatedStep word;
-    word.vertex_step = arriving;
-    word.slip = slip_of(set);
-    word.contact_mode = "sliding";
+    ItinerarySight sight;
+    StatedStep itinerary;
+    itinerary.vertex_step = arriving;
+    itinerary.slip = slip_of(set);
+    itinerary.contact_mode = "sliding";
     const Ranging un = at.before_n - z.spin * at.rt - at.wall_n, un_after = at.after_n - z.spin * at.rt - at.wall_n;
     if (!sight.needs(at.p) || !sight.needs(un) || !sight.needs(-un_after)) return sight;
     if (set != 0) {
         const Ranging ut_after = at.after_t + z.spin * at.rn - at.wall_t;
-        const Ranging c = at.b2 - Ranging(word.slip) * scene.mu * at.b3;
-        if (sight.needs(Ranging(word.slip) * ut_after) && sight.needs(c)) sight.word = word;
+        const Ranging c = at.b2 - Ranging(itinerary.slip) * scene.mu * at.b3;
+        if (sight.needs(Ranging(itinerary.slip) * ut_after) && sight.needs(c)) sight.itinerary = itinerary;
         return sight;
     }
     const Ranging ut = -at.q;
     if (!sight.needs(scene.mu * at.cosine - abs(at.sine)) || contains_zero(ut)) return sight;
-    word.slip = is_positive(ut) ? 1 : -1;
-    const Ranging c = at.b2 - Ranging(word.slip) * scene.mu * at.b3;
-    const Ranging slow = scene.mu * at.b1 - Ranging(word.slip) * at.b3;
-    const Ranging stop = Ranging(word.slip) * ut / slow, at_stop = c * stop - un;
+    itinerary.slip = is_positive(ut) ? 1 : -1;
+    const Ranging c = at.b2 - Ranging(itinerary.slip) * scene.mu * at.b3;
+    const Ranging slow = scene.mu * at.b1 - Ranging(itinerary.slip) * at.b3;
+    const Ranging stop = Ranging(itinerary.slip) * ut / slow, at_stop = c * stop - un;
     if (!sight.needs(slow) || !sight.needs(scene.mu * at.b1 - abs(at.b3)) || !sight.needs(at.p - stop) ||
         contains_zero(at_stop))
         return sight;
     const bool early = is_negative(at_stop);
     if (!early && !sight.needs(c)) return sight;
-    word.contact_mode = early ? "c-sticking" : "r-sticking";
-    sight.word = word;
+    itinerary.contact_mode = early ? "c-sticking" : "r-sticking";
+    sight.itinerary = itinerary;
     return sight;
 }
 
@@ -333,15 +333,15 @@ BranchStanding CheckedCell::standing_of(const cells::SolutionBranch& branch) con
     const auto scene = scene_over<Ranging>(plane_, cell(), 0);
     const MotionStart<Ranging> z = start_of(scene, branch.j, tau, psi);
     const int arriving = static_cast<int>(((branch.j % scene.sides) + scene.sides) % scene.sides);
-    const WordSight sight = word_of(scene, branch.set, z, tau, psi, arriving);
+    const ItinerarySight sight = itinerary_of(scene, branch.set, z, tau, psi, arriving);
     if (sight.none) return BranchStanding::no_fixed_point();
     bool impact = false;
     StepEquationsOver<Ranging> equations;
-    if (sight.word) {
+    if (sight.itinerary) {
         using G = GradientOver<Ranging>;
         const StepVariablesOver<Ranging> at{G(z.psi, 0), G(z.chi, 1), G(z.vn, 2), G(z.vt, 3), G(z.spin, 4), G(tau, 5),
                                             G(z.psi, 6), G(z.chi, 7), G(z.vn, 8), G(z.vt, 9), G(z.spin, 10)};
-        equations = step_equations(scene, *sight.word, at, nullptr);
+        equations = step_equations(scene, *sight.itinerary, at, nullptr);
         impact = true;
         for (const G* open : {&equations.position_x, &equations.position_y, &equations.turn, &equations.spin,
                               &equations.friction, &equations.restitution})

@@ -65,7 +65,7 @@ void require(bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
 }
 
-void require_word(const StatedCycle& cycle) {
+void require_itinerary(const StatedCycle& cycle) {
     for (const StatedStep& step : cycle.steps) {
         const std::string& mode = step.contact_mode;
         const bool known = mode == "frictionless" || mode == "sliding" || mode == "c-sticking" ||
@@ -102,7 +102,7 @@ StepVariables CheckedSystem::variables_of(const Balls& unknowns, std::size_t i) 
 
 CheckedSystem checked_system(const StatedCycle& cycle) {
     require(!cycle.steps.empty(), "it has no points");
-    require_word(cycle);
+    require_itinerary(cycle);
     CheckedSystem system;
     system.scene = scene_of(cycle);
     system.steps = cycle.steps;

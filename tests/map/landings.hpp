@@ -47,8 +47,8 @@ std::optional<ContactReturn<typename Map::Number>> contact_return(const Map& map
         if (step.contacts.empty()) continue;
         for (const ContactSegment& piece : step.contacts)
             if (piece.end > piece.start || piece.finish == ContactEvent::strike)
-                for (const std::string_view word : {name_of(piece.support, piece.motion), name_of(piece.finish)})
-                    p.way.append(word).append(1, digit(piece.support)).append(", ");
+                for (const std::string_view itinerary : {name_of(piece.support, piece.motion), name_of(piece.finish)})
+                    p.way.append(itinerary).append(1, digit(piece.support)).append(", ");
         p.way += name_of(c.impulse.mode);
         for (const ContactSegment& piece : step.contacts)
             if (piece.end > piece.start && (p.supports.empty() || p.supports.back() != digit(piece.support)))

@@ -18,7 +18,7 @@ struct ProofCase {
     nlohmann::json reference;  ///< what the file says of it
 };
 
-/// What the map says of the k-cycle at z: its states, flight times and word.
+/// What the map says of the k-cycle at z: its states, flight times and itinerary.
 inline proof::CycleClaim claim_at(const Scene<double>& scene, const SectionPoint<double>& z, int period) {
     proof::CycleClaim claim;
     with_collision_map(scene, [&](const auto& map) {
@@ -27,7 +27,7 @@ inline proof::CycleClaim claim_at(const Scene<double>& scene, const SectionPoint
             const auto collision = map.advance(state);
             claim.points.push_back(section_point(state));
             claim.times.push_back(collision.flight_time);
-            claim.word.push_back({collision.vertex_step, collision.impulse.mode, 0});
+            claim.itinerary.push_back({collision.vertex_step, collision.impulse.mode, 0});
             state = collision.after;
         }
     });
@@ -61,9 +61,9 @@ inline proof_check::StatedCycle stated(const Scene<double>& scene, const proof::
                                p.radii[i],
                                p.times[i],
                                p.time_radii[i],
-                               p.word[i].vertex_step,
-                               std::string(name_of(p.word[i].mode)),
-                               p.word[i].slip});
+                               p.itinerary[i].vertex_step,
+                               std::string(name_of(p.itinerary[i].mode)),
+                               p.itinerary[i].slip});
     }
     for (const auto& disc : p.multipliers) cycle.multipliers.push_back({disc.re, disc.im, disc.radius});
     cycle.stability = name_of(p.stability);

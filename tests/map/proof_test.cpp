@@ -81,7 +81,7 @@ std::vector<CycleClaim> false_claims(const Scene<double>& scene, const CycleClai
     CycleClaim twice = claim;
     twice.points.insert(twice.points.end(), claim.points.begin(), claim.points.end());
     twice.times.insert(twice.times.end(), claim.times.begin(), claim.times.end());
-    twice.word.insert(twice.word.end(), claim.word.begin(), claim.word.end());
+    twice.itinerary.insert(twice.itinerary.end(), claim.itinerary.begin(), claim.itinerary.end());
     claims.push_back(twice);
     for (const double by : {1e-6, -1e-6}) {
         CycleClaim moved = claim;
@@ -97,13 +97,13 @@ std::vector<CycleClaim> false_claims(const Scene<double>& scene, const CycleClai
     for (const ContactMode mode : {ContactMode::sliding, ContactMode::c_sticking, ContactMode::r_sticking,
                                    ContactMode::c_reversed, ContactMode::r_reversed}) {
         CycleClaim other = claim;
-        if (other.word.front().mode == mode) continue;
-        other.word.front().mode = mode;
+        if (other.itinerary.front().mode == mode) continue;
+        other.itinerary.front().mode = mode;
         claims.push_back(other);
     }
     for (int step = 1; step < 3 && !scene.is_disk(); ++step) {
         CycleClaim other = claim;
-        other.word.front().vertex_step = (other.word.front().vertex_step + step) % scene.sides;
+        other.itinerary.front().vertex_step = (other.itinerary.front().vertex_step + step) % scene.sides;
         claims.push_back(other);
     }
     return claims;
@@ -128,7 +128,7 @@ TEST(Proof, AVertexOutsideInBetweenIsSeen) {
     const auto all = proof::all_fixed_points(hexagon(), 12, [] { return false; });
     ASSERT_GE(all.refuted.size(), 10U);
     for (const CycleProof& ghost : all.refuted) {
-        const CycleProof again = prove_cycle(hexagon(), {ghost.points, ghost.times, ghost.word});
+        const CycleProof again = prove_cycle(hexagon(), {ghost.points, ghost.times, ghost.itinerary});
         EXPECT_EQ(again.verdict, Verdict::refuted);
         EXPECT_NE(again.reason.find("is outside at t ="), std::string::npos) << again.reason;
     }
@@ -150,10 +150,10 @@ TEST(Proof, AllFixedPointsOfTheHexagonAreThirtyOne) {
     const int steps[]{1, 2, 2, 1, 0, 5};  // j = 1, 2, 2, 1, 0, −1
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_NEAR(all.proven[i].times.front(), outer[i], 5e-9);  // as many digits as are given
-        EXPECT_EQ(all.proven[i].word.front().vertex_step, steps[i]);
+        EXPECT_EQ(all.proven[i].itinerary.front().vertex_step, steps[i]);
     }
     for (std::size_t i = 6; i < 31; ++i)
-        EXPECT_EQ(all.proven[i].word.front().vertex_step, static_cast<int>(i - 5) % 6);  // j = 1 … 25
+        EXPECT_EQ(all.proven[i].itinerary.front().vertex_step, static_cast<int>(i - 5) % 6);  // j = 1 … 25
     for (const CycleProof& proof : all.proven) EXPECT_EQ(proof_check::what_fails(stated(hexagon(), proof)), "");
 }
 
@@ -272,13 +272,13 @@ TEST(Proof, AThousandFalseClaimsAreRefusedOverTenScenes) {
         EXPECT_TRUE(all.complete());
         for (const CycleProof& proof : all.proven) {
             EXPECT_EQ(proof_check::what_fails(stated(scene, proof)), "");
-            for (const CycleClaim& claim : false_claims(scene, {proof.points, proof.times, proof.word})) {
+            for (const CycleClaim& claim : false_claims(scene, {proof.points, proof.times, proof.itinerary})) {
                 EXPECT_FALSE(prove_cycle(scene, claim).proven());
                 ++refused;
             }
         }
         for (const CycleProof& ghost : all.refuted) {
-            EXPECT_FALSE(prove_cycle(scene, {ghost.points, ghost.times, ghost.word}).proven());
+            EXPECT_FALSE(prove_cycle(scene, {ghost.points, ghost.times, ghost.itinerary}).proven());
             ++refused;
         }
     }

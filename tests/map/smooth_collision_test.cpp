@@ -1,7 +1,7 @@
-// Impacts at a given time (timed_collision.hpp) and of a given vertex (word_collision.hpp), against the map, which
+// Impacts at a given time (timed_collision.hpp) and of a given vertex (itinerary_collision.hpp), against the map, which
 // searches for its contact, and against differences of themselves.
+#include "map/derivative/itinerary_collision.hpp"
 #include "map/derivative/timed_collision.hpp"
-#include "map/derivative/word_collision.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -66,20 +66,20 @@ TYPED_TEST(SmoothCollision, AtTheTimeOfTheMapsContactIsItsImpact) {
     over_impacts<TypeParam>(1, sides_of<TypeParam>, friction_of<TypeParam>,
                             [](const auto& scene, const auto& z, const auto& known) {
                                 const auto timed = collide_at(TypeParam(scene), z, known.flight_time);
-                                const auto word = collide_by_word<double, TypeParam::shape, TypeParam::rule>(
+                                const auto itinerary = collide_by_itinerary<double, TypeParam::shape, TypeParam::rule>(
                                     scene, Parameter::alpha, Parameter::beta, z, known.flight_time, known.vertex_step);
                                 ASSERT_TRUE(timed.possible);
                                 EXPECT_EQ(timed.collision.vertex_step, known.vertex_step);
                                 EXPECT_EQ(timed.collision.flight_time, known.flight_time);
                                 EXPECT_EQ(timed.collision.impulse.mode, known.impulse.mode);
-                                EXPECT_EQ(word.mode, known.impulse.mode);
+                                EXPECT_EQ(itinerary.mode, known.impulse.mode);
                                 EXPECT_LT(std::fabs(timed.gap), 1e-13);  // rounding of a position of size 1, squared
-                                EXPECT_LT(std::fabs(word.touch.gap), 1e-13);
+                                EXPECT_LT(std::fabs(itinerary.touch.gap), 1e-13);
                                 const auto wanted = coordinates_of<TypeParam>(known.after);
                                 const auto found = coordinates_of<TypeParam>(timed.collision.after);
                                 for (std::size_t i = 0; i < dimension; ++i) {
                                     EXPECT_NEAR(found[i], wanted[i], 1e-12) << i;
-                                    EXPECT_NEAR(word.after[i], wanted[i], 1e-12) << i;
+                                    EXPECT_NEAR(itinerary.after[i], wanted[i], 1e-12) << i;
                                 }
                             });
 }
@@ -103,16 +103,17 @@ TYPED_TEST(SmoothCollision, DerivativesAreItsDifferences) {
     over_impacts<TypeParam>(
         2, sides_of<TypeParam>, friction_of<TypeParam>, [&](const auto& scene, const auto& z, const auto& known) {
             constexpr Parameter first = Parameter::inertia_factor, second = Parameter::beta;
-            const auto word_at = [&](const Scene<double>& s, const SectionPoint<double>& from, double time) {
-                return collide_by_word<double, TypeParam::shape, TypeParam::rule>(s, first, second, from, time,
-                                                                                  known.vertex_step);
+            const auto itinerary_at = [&](const Scene<double>& s, const SectionPoint<double>& from, double time) {
+                return collide_by_itinerary<double, TypeParam::shape, TypeParam::rule>(s, first, second, from, time,
+                                                                                       known.vertex_step);
             };
             const auto timed_at = [&](const SectionPoint<double>& from, double time) {
                 return collide_at(TypeParam(scene), from, time);
             };
-            const auto word = word_at(scene, z, known.flight_time);
+            const auto itinerary = itinerary_at(scene, z, known.flight_time);
             const auto timed = timed_at(z, known.flight_time);
-            const double size = word.after_by.cwiseAbs().maxCoeff() + word.touch.rate_by.cwiseAbs().maxCoeff();
+            const double size =
+                itinerary.after_by.cwiseAbs().maxCoeff() + itinerary.touch.rate_by.cwiseAbs().maxCoeff();
             for (int i = 0; i < dimension + 3; ++i) {
                 const auto moved = [&](double step) {
                     auto c = coordinates<TypeParam::shape>(z);
@@ -123,29 +124,29 @@ TYPED_TEST(SmoothCollision, DerivativesAreItsDifferences) {
                     if (i == dimension + 1) number_of(s, first) += step;
                     if (i == dimension + 2) number_of(s, second) += step;
                     const SectionPoint<double> from = section_point<TypeParam::shape>(c);
-                    return std::pair(word_at(s, from, time), timed_at(from, time));
+                    return std::pair(itinerary_at(s, from, time), timed_at(from, time));
                 };
                 const auto above = moved(h), below = moved(-h);
-                if (above.first.mode != word.mode || below.first.mode != word.mode) continue;  // DF jumps
-                compare(word.touch.gap_by[i], above.first.touch.gap, below.first.touch.gap, size);
-                compare(word.touch.rate_by[i], above.first.touch.rate, below.first.touch.rate, size);
+                if (above.first.mode != itinerary.mode || below.first.mode != itinerary.mode) continue;  // DF jumps
+                compare(itinerary.touch.gap_by[i], above.first.touch.gap, below.first.touch.gap, size);
+                compare(itinerary.touch.rate_by[i], above.first.touch.rate, below.first.touch.rate, size);
                 for (int k = 0; k < dimension; ++k) {
                     const auto row = static_cast<std::size_t>(k);
                     if (std::fabs(above.first.after[row] - below.first.after[row]) > 1) continue;  // an angle past π
-                    compare(word.after_by(k, i), above.first.after[row], below.first.after[row], size);
+                    compare(itinerary.after_by(k, i), above.first.after[row], below.first.after[row], size);
                     if (i > dimension) continue;
                     const auto up = coordinates_of<TypeParam>(above.second.collision.after);
                     const auto down = coordinates_of<TypeParam>(below.second.collision.after);
                     compare(timed.derivative(k, i), up[row], down[row], size);
                 }
                 if (i <= dimension) compare(timed.derivative(dimension, i), above.second.gap, below.second.gap, size);
-                if (!word.margins.stops || !above.first.margins.stops || !below.first.margins.stops) continue;
-                compare(word.margins.slip_by[i], above.first.margins.slip, below.first.margins.slip,
-                        size + word.margins.slip_by.cwiseAbs().maxCoeff());
-                compare(word.margins.late_by[i], above.first.margins.late, below.first.margins.late,
-                        size + word.margins.late_by.cwiseAbs().maxCoeff());
-                compare(word.margins.held_by[i], above.first.margins.held, below.first.margins.held,
-                        size + word.margins.held_by.cwiseAbs().maxCoeff());
+                if (!itinerary.margins.stops || !above.first.margins.stops || !below.first.margins.stops) continue;
+                compare(itinerary.margins.slip_by[i], above.first.margins.slip, below.first.margins.slip,
+                        size + itinerary.margins.slip_by.cwiseAbs().maxCoeff());
+                compare(itinerary.margins.late_by[i], above.first.margins.late, below.first.margins.late,
+                        size + itinerary.margins.late_by.cwiseAbs().maxCoeff());
+                compare(itinerary.margins.held_by[i], above.first.margins.held, below.first.margins.held,
+                        size + itinerary.margins.held_by.cwiseAbs().maxCoeff());
             }
         });
     std::printf("largest relative difference %.2e\n", worst);
@@ -156,7 +157,7 @@ TYPED_TEST(SmoothCollision, MarginsAreThoseOfTheVelocitiesBeforeTheImpact) {
     int reversed_slip = 0, stopped = 0;
     over_impacts<TypeParam>(
         3, sides_of<TypeParam>, friction_of<TypeParam>, [&](const auto& scene, const auto& z, const auto& known) {
-            const auto margins = collide_by_word<double, TypeParam::shape, TypeParam::rule>(
+            const auto margins = collide_by_itinerary<double, TypeParam::shape, TypeParam::rule>(
                                      scene, Parameter::alpha, Parameter::beta, z, known.flight_time, known.vertex_step)
                                      .margins;
             // The state before: the same place, the flight's velocity in the axes of the contact, the flight's spin.

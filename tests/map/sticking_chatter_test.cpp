@@ -103,7 +103,7 @@ SectionPoint<double> with_rebound_of_one(double beside) {
 /// e′ of chatter that sticks from there on.
 double rebound_of(const ContactScene<double>& contact, const PostImpactState<double>& from) {
     const double acceleration = contact.body.beta * from.psi.x;  // S = 0, u_t = 0
-    return *rebound_while_stuck(contact, rest_of_chatter(contact, from, acceleration));
+    return *rebound_while_stuck(contact, remaining_chatter(contact, from, acceleration));
 }
 
 // Where impacts that stick rebound at e′ near 1 chatter lasts long, and at e′ ≥ 1 its flights grow: no landing, but a

@@ -135,8 +135,8 @@ struct TrackCell {
     std::vector<Node> nodes;
 };
 
-TrackCell looked_at(const GridStudy& study, std::size_t c, std::span<const RunResult> runs,
-                    const analysis::Stop& stop) {
+TrackCell track_cell(const GridStudy& study, std::size_t c, std::span<const RunResult> runs,
+                     const analysis::Stop& stop) {
     TrackCell cell{cell_scene(study, c), {}};
     for (const CellAttractor& attractor : cell_attractors(runs, c)) {
         cell.nodes.push_back({attractor, 0, {}});
@@ -320,7 +320,7 @@ std::optional<TrackedAttractors> track_attractors(const GridStudy& study, std::s
     const auto look = [&cells, of, all_runs, control](std::size_t c) -> KeepResult {
         const auto runs = static_cast<std::size_t>(of->runs);
         auto cell =
-            std::make_shared<TrackCell>(looked_at(*of, c, std::span(*all_runs).subspan(c * runs, runs), control.stop));
+            std::make_shared<TrackCell>(track_cell(*of, c, std::span(*all_runs).subspan(c * runs, runs), control.stop));
         if (control.is_stopped()) return {};
         return [&cells, c, cell] { cells[c] = std::move(*cell); };
     };

@@ -20,7 +20,7 @@ namespace swirl::studies::bifurcation_curves {
 
 namespace {
 
-std::vector<analysis::TestFunction> tests_of(const WordMap& map, const BorderCycle& like) {
+std::vector<analysis::TestFunction> tests_of(const ItineraryMap& map, const BorderCycle& like) {
     const std::string border(name_of(like.touch));
     const auto shifted = [map, like](double by) {
         return [map, like, by](const analysis::CurvePoint& at) {
@@ -45,14 +45,15 @@ std::vector<analysis::TestFunction> tests_of(const WordMap& map, const BorderCyc
 }
 
 /// b's unknowns with whole turns added to its angles, so that they lie nearest to a's.
-Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
+Eigen::VectorXd turned_to(const ItineraryMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b,
+                          Eigen::Index coordinates) {
     for (Eigen::Index i = 0; i < coordinates; ++i)
         if (const double period = map.angle_periods[static_cast<std::size_t>(i % map.dimension)]; period > 0)
             b[i] = a[i] + analysis::within_period(b[i] - a[i], period);
     return b;
 }
 
-analysis::PlaneCurveOptions options_of(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+analysis::PlaneCurveOptions options_of(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle,
                                        const BorderOptions& options) {
     analysis::PlaneCurveOptions arc;
     arc.low = plane.low();
@@ -70,7 +71,7 @@ analysis::PlaneCurveOptions options_of(const WordMap& map, const Plane& plane, c
 }
 
 /// The cycle, solved, on the border itself; false if it is none.
-bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::CurveProblem& problem,
+bool begin(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::CurveProblem& problem,
            analysis::CurvePoint& start) {
     constexpr double farthest = 0.05;  // starting points lie within 10⁻³, times of grazing within their samples
     const Eigen::VectorXd y = unknowns_of(map, cycle);
@@ -82,7 +83,7 @@ bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
 }
 
 /// Are the two turns of the cycle the same, but for the way that a step leads beyond? There its curve ends at a flip.
-bool is_halved(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+bool is_halved(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
     constexpr double same = 1e-3;
     const BorderLayout layout = layout_of(map, like);
     if (layout.period % 2 != 0) return false;
@@ -98,7 +99,7 @@ std::string ending_of(const analysis::CurveEnding& ending, bool halved) {
     return halved && fails ? "halved" : name_of(ending);
 }
 
-CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+CurveCycle cycle_at(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
     const BorderLayout layout = layout_of(map, like);
     CurveCycle cycle;
     cycle.parameters = y.segment<2>(layout.parameters());
@@ -117,7 +118,7 @@ bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
                        [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
 }
 
-std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+std::optional<BorderCurve> follow_border(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle,
                                          const BorderOptions& options) {
     const analysis::CurveProblem problem = border_problem(map, plane, cycle);
     analysis::CurvePoint start;
@@ -125,7 +126,7 @@ std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane,
     return BorderCurve{cycle, analysis::follow_plane_curve(problem, start, options_of(map, plane, cycle, options))};
 }
 
-bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
+bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
            const BorderCurve& curve) {
     if (curve.like.touch != cycle.touch || curve.like.vertices != cycle.vertices) return false;
     const bool touches = cycle.touch == Touch::grazing || cycle.touch == Touch::two_vertices;
@@ -144,7 +145,7 @@ bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
     return false;
 }
 
-Curve curve_of(const WordMap& map, const BorderCurve& border) {
+Curve curve_of(const ItineraryMap& map, const BorderCurve& border) {
     const BorderCycle& like = border.like;
     const auto& points = border.arc.points;
     Curve curve{std::string(name_of(like.touch)),

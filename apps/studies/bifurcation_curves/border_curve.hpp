@@ -16,7 +16,7 @@ namespace swirl::studies::bifurcation_curves {
 /// that strikes is on the wall (g = 0), and what touches (Touch). Regular where the map is not: DF grows as 1/u_n
 /// towards a vanishing impact, the derivatives by z and τ stay bounded.
 struct BorderCurve {
-    BorderCycle like;  ///< the word and what touches; its numbers are those of one cycle
+    BorderCycle like;  ///< the itinerary and what touches; its numbers are those of one cycle
     analysis::PlaneCurve arc;
 };
 
@@ -29,16 +29,16 @@ struct BorderOptions {
 /// impact vanishes, the touching is from outside. Special points: the cycle has a multiplier 1, −1 or a pair on the
 /// circle there, seen from the side on which nothing touches (fold-…, flip-…, neimark-sacker-…): a curve of that kind
 /// ends there on the border. Empty if no such cycle is near.
-std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+std::optional<BorderCurve> follow_border(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle,
                                          const BorderOptions& options);
 
 /// A pair on the unit circle to 10⁻⁶, as a Neimark–Sacker point has (and a neutral saddle has not).
 bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers);
 
 /// Is the cycle on the curve?
-bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
+bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
            const BorderCurve& curve);
 
-Curve curve_of(const WordMap& map, const BorderCurve& curve);
+Curve curve_of(const ItineraryMap& map, const BorderCurve& curve);
 
 }  // namespace swirl::studies::bifurcation_curves

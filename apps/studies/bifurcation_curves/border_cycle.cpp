@@ -43,7 +43,7 @@ void rotate(BorderCycle& cycle, std::size_t first) {
 }
 
 /// The impact with the smallest u_n at its end, if that vanishes.
-std::optional<std::size_t> vanishing_impact(const WordMap& map, const BorderCycle& cycle) {
+std::optional<std::size_t> vanishing_impact(const ItineraryMap& map, const BorderCycle& cycle) {
     std::optional<std::size_t> found;
     double least = nearly;
     for (std::size_t i = 0; i < cycle.points.size(); ++i) {
@@ -56,7 +56,7 @@ std::optional<std::size_t> vanishing_impact(const WordMap& map, const BorderCycl
 }
 
 /// The cycle without the impact at the end of flight 0, whose vertex touches there.
-bool leave_out_impact(const WordMap& map, BorderCycle& cycle) {
+bool leave_out_impact(const ItineraryMap& map, BorderCycle& cycle) {
     if (cycle.points.size() < 2) return false;
     cycle.touch = Touch::grazing;
     cycle.vertex = cycle.vertices[0];
@@ -70,7 +70,7 @@ bool leave_out_impact(const WordMap& map, BorderCycle& cycle) {
 }
 
 /// Where on the flights a vertex comes nearest to the wall in between.
-bool find_grazing(const WordMap& map, BorderCycle& cycle) {
+bool find_grazing(const ItineraryMap& map, BorderCycle& cycle) {
     constexpr int samples = 1000;
     double highest = -nearly;
     std::size_t flight = 0;
@@ -92,7 +92,7 @@ bool find_grazing(const WordMap& map, BorderCycle& cycle) {
 }
 
 /// The flight that takes no time, or at whose end another vertex is on the wall.
-bool find_second_vertex(const WordMap& map, BorderCycle& cycle) {
+bool find_second_vertex(const ItineraryMap& map, BorderCycle& cycle) {
     const auto shortest = std::min_element(cycle.times.begin(), cycle.times.end());
     if (*shortest < nearly) {
         cycle.touch = Touch::no_flight;
@@ -130,11 +130,11 @@ bool find_slip(const StartingPoint& start, BorderCycle& cycle) {
 }
 
 /// The impact nearest to a change of its contact mode, and what changes there: where the starting point names no modes.
-bool find_nearest_slip(const WordMap& map, BorderCycle& cycle) {
+bool find_nearest_slip(const ItineraryMap& map, BorderCycle& cycle) {
     double least = nearly;
     std::optional<std::size_t> impact;
     for (std::size_t i = 0; i < cycle.points.size(); ++i) {
-        const WordStep step = map.step(cycle.points[i], cycle.times[i], cycle.p, cycle.vertices[i]);
+        const ItineraryStep step = map.step(cycle.points[i], cycle.times[i], cycle.p, cycle.vertices[i]);
         const auto look_at = [&](Touch touch, const ModeMargin& margin) {
             const double away = std::abs(margin.value) / margin.by.norm();
             if (!(away < least)) return;
@@ -154,7 +154,7 @@ bool find_nearest_slip(const WordMap& map, BorderCycle& cycle) {
 
 }  // namespace
 
-std::optional<BorderCycle> border_cycle_of(const WordMap& map, const StartingPoint& start) {
+std::optional<BorderCycle> border_cycle_of(const ItineraryMap& map, const StartingPoint& start) {
     if (start.border) return start.border;
     if (start.times.size() != start.points.size()) return std::nullopt;
     BorderCycle cycle;

@@ -1,8 +1,8 @@
-// A cycle on a border of the map: its word, and what touches the wall besides its impacts.
+// A cycle on a border of the map: its itinerary, and what touches the wall besides its impacts.
 #pragma once
 
 #include "analysis/boundaries/boundary.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 
 #include <array>
 #include <optional>
@@ -44,6 +44,6 @@ struct StartingPoint;
 /// The cycle of a starting point whose kind is grazing, two-vertices or stick-slip: what it says itself, or what is
 /// seen of it. Empty where it has no flights to name (through sustained contact), where nothing touches, or where no
 /// impact is left (the vanishing impact of a fixed point).
-std::optional<BorderCycle> border_cycle_of(const WordMap& map, const StartingPoint& start);
+std::optional<BorderCycle> border_cycle_of(const ItineraryMap& map, const StartingPoint& start);
 
 }  // namespace swirl::studies::bifurcation_curves

@@ -10,12 +10,12 @@
 
 namespace swirl::studies::bifurcation_curves {
 
-Eigen::MatrixXd word_matrix(const WordMap& map, const BorderCycle& cycle, double multiplier) {
+Eigen::MatrixXd itinerary_matrix(const ItineraryMap& map, const BorderCycle& cycle, double multiplier) {
     const Eigen::Index d = map.dimension, k = static_cast<Eigen::Index>(cycle.points.size());
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(k * (d + 1), k * (d + 1));
     for (Eigen::Index i = 0; i < k; ++i) {
         const auto flight = static_cast<std::size_t>(i);
-        const WordStep step = map.step(cycle.points[flight], cycle.times[flight], cycle.p, cycle.vertices[flight]);
+        const ItineraryStep step = map.step(cycle.points[flight], cycle.times[flight], cycle.p, cycle.vertices[flight]);
         const Eigen::Index next = (i + 1) % k;
         m.block(i * d, i * d, d, d) += step.after_by.leftCols(d);
         m.block(i * d, k * d + i, d, 1) = step.after_by.col(d);
@@ -26,14 +26,14 @@ Eigen::MatrixXd word_matrix(const WordMap& map, const BorderCycle& cycle, double
     return m;
 }
 
-double word_determinant(const WordMap& map, const BorderCycle& cycle, double multiplier) {
-    return analysis::determinant_of(word_matrix(map, cycle, multiplier));
+double itinerary_determinant(const ItineraryMap& map, const BorderCycle& cycle, double multiplier) {
+    return analysis::determinant_of(itinerary_matrix(map, cycle, multiplier));
 }
 
-BorderCycle with_impact(const WordMap& map, const BorderCycle& grazing, double earlier) {
+BorderCycle with_impact(const ItineraryMap& map, const BorderCycle& grazing, double earlier) {
     BorderCycle cycle = grazing;
     const double time = grazing.touch_time - earlier;
-    const WordStep step = map.step(grazing.points.front(), time, grazing.p, grazing.vertex);
+    const ItineraryStep step = map.step(grazing.points.front(), time, grazing.p, grazing.vertex);
     cycle.points = {grazing.points.front(), step.after};
     cycle.points.insert(cycle.points.end(), grazing.points.begin() + 1, grazing.points.end());
     cycle.times.insert(cycle.times.begin(), time);
@@ -43,10 +43,10 @@ BorderCycle with_impact(const WordMap& map, const BorderCycle& grazing, double e
     return cycle;
 }
 
-double grazing_determinant(const WordMap& map, const BorderCycle& grazing, double multiplier) {
+double grazing_determinant(const ItineraryMap& map, const BorderCycle& grazing, double multiplier) {
     constexpr double earlier = 1e-6;  // the impact's derivative is that of u_n > 0; extrapolated, to 10⁻¹²
-    const double near = word_determinant(map, with_impact(map, grazing, earlier), multiplier);
-    const double far = word_determinant(map, with_impact(map, grazing, 2 * earlier), multiplier);
+    const double near = itinerary_determinant(map, with_impact(map, grazing, earlier), multiplier);
+    const double far = itinerary_determinant(map, with_impact(map, grazing, 2 * earlier), multiplier);
     return 2 * near - far;
 }
 
@@ -63,7 +63,7 @@ void put(const BorderLayout& layout, Eigen::Index flight, Eigen::Index time, con
 }
 
 /// What is zero on a stick-slip border; null for the others.
-const ModeMargin* margin_of(Touch touch, const WordStep& step) {
+const ModeMargin* margin_of(Touch touch, const ItineraryStep& step) {
     switch (touch) {
         case Touch::slip_ends:
             return &step.slip;
@@ -81,7 +81,7 @@ const ModeMargin* margin_of(Touch touch, const WordStep& step) {
 
 }  // namespace
 
-void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+void add_touch(const ItineraryMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
                analysis::ShootingResidual& at) {
     const Eigen::Index row = layout.parameters() + layout.period;
     if (like.touch == Touch::no_flight) {
@@ -90,15 +90,15 @@ void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& 
         return;
     }
     if (like.touch != Touch::grazing && like.touch != Touch::two_vertices) {
-        const WordStep step = map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()),
-                                       like.vertices.front());
+        const ItineraryStep step = map.step(y.head(layout.dimension), y[layout.time(0)],
+                                            y.segment<2>(layout.parameters()), like.vertices.front());
         const ModeMargin& margin = *margin_of(like.touch, step);
         at.gap[row] = margin.value;
         put(layout, 0, layout.time(0), margin.by, row, at.jacobian);
         return;
     }
     const Eigen::Index time = like.touch == Touch::grazing ? layout.touch_time() : layout.time(0);
-    const WordTouchRows touch =
+    const ItineraryTouchRows touch =
         map.touch(y.head(layout.dimension), y[time], y.segment<2>(layout.parameters()), like.vertex);
     at.gap[row] = touch.gap;
     put(layout, 0, time, touch.gap_by, row, at.jacobian);
@@ -107,23 +107,23 @@ void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& 
     put(layout, 0, time, touch.rate_by, row + 1, at.jacobian);
 }
 
-void add_approach(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-                  analysis::ShootingResidual& at) {
+void add_approach(const ItineraryMap& map, const BorderCycle& like, const BorderLayout& layout,
+                  const Eigen::VectorXd& y, analysis::ShootingResidual& at) {
     const Eigen::Index row = layout.parameters() + layout.period;
-    const WordTouchRows touch = map.touch(y.head(layout.dimension), y[layout.time(0)],
-                                          y.segment<2>(layout.parameters()), like.vertices.front());
+    const ItineraryTouchRows touch = map.touch(y.head(layout.dimension), y[layout.time(0)],
+                                               y.segment<2>(layout.parameters()), like.vertices.front());
     at.gap[row] = touch.rate;
     put(layout, 0, layout.time(0), touch.rate_by, row, at.jacobian);
 }
 
-void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+void add_cycle(const ItineraryMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
                analysis::ShootingResidual& at) {
     const Eigen::Index d = layout.dimension, k = layout.period;
     const Eigen::Vector2d p = y.segment<2>(layout.parameters());
-    at.word.clear();
+    at.itinerary.clear();
     for (Eigen::Index i = 0; i < k; ++i) {
         const Eigen::Index next = (i + 1) % k;
-        const WordStep step =
+        const ItineraryStep step =
             map.step(y.segment(i * d, d), y[layout.time(i)], p, like.vertices[static_cast<std::size_t>(i)]);
         for (Eigen::Index c = 0; c < d; ++c) {
             at.gap[i * d + c] = analysis::within_period(step.after[c] - y[next * d + c],
@@ -133,7 +133,7 @@ void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& 
         }
         at.gap[layout.parameters() + i] = step.touch.gap;
         put(layout, i, layout.time(i), step.touch.gap_by, layout.parameters() + i, at.jacobian);
-        at.word.push_back(static_cast<std::int64_t>(step.mode));
+        at.itinerary.push_back(static_cast<std::int64_t>(step.mode));
     }
 }
 
@@ -144,17 +144,17 @@ bool is_in_range(const Plane& plane, const Eigen::Vector2d& p) {
 namespace {
 
 /// On a stick-slip border slip stops; where it is held or not, or late or not, it stops before the impact ends.
-std::string slip_refusal(const WordMap& map, const BorderCycle& like, const BorderLayout& layout,
+std::string slip_refusal(const ItineraryMap& map, const BorderCycle& like, const BorderLayout& layout,
                          const Eigen::VectorXd& y) {
     if (like.touch == Touch::two_vertices || like.touch == Touch::no_flight) return "";
-    const WordStep step =
+    const ItineraryStep step =
         map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()), like.vertices.front());
     const bool stops = step.stops && (like.touch == Touch::slip_ends || step.slip.value < 0);
     return stops ? "" : "stick-slip";
 }
 
 /// Does anything lie outside within flight i, as far as samples tell?
-bool is_clear(const WordMap& map, const BorderLayout& layout, const Eigen::VectorXd& y, Eigen::Index i) {
+bool is_clear(const ItineraryMap& map, const BorderLayout& layout, const Eigen::VectorXd& y, Eigen::Index i) {
     constexpr int samples = 200;
     constexpr double rounding = 1e-9;  // of gaps at vertices that are on the wall
     const Eigen::VectorXd z = y.segment(i * layout.dimension, layout.dimension);
@@ -166,11 +166,11 @@ bool is_clear(const WordMap& map, const BorderLayout& layout, const Eigen::Vecto
 
 }  // namespace
 
-BorderLayout layout_of(const WordMap& map, const BorderCycle& cycle) {
+BorderLayout layout_of(const ItineraryMap& map, const BorderCycle& cycle) {
     return {map.dimension, static_cast<Eigen::Index>(cycle.points.size())};
 }
 
-analysis::CurveProblem border_problem(const WordMap& map, const Plane& plane, const BorderCycle& like) {
+analysis::CurveProblem border_problem(const ItineraryMap& map, const Plane& plane, const BorderCycle& like) {
     const BorderLayout layout = layout_of(map, like);
     const Eigen::Index count = layout.touch_time() + (like.touch == Touch::grazing ? 1 : 0);
     Eigen::VectorXd weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(layout.period));
@@ -185,11 +185,11 @@ analysis::CurveProblem border_problem(const WordMap& map, const Plane& plane, co
         at.alive = at.gap.allFinite() && at.jacobian.allFinite();
         return at;
     });
-    problem.keeps_word = false;  // a contact mode that changes ends no curve: `refusal_of` says what does
+    problem.keeps_itinerary = false;  // a contact mode that changes ends no curve: `refusal_of` says what does
     return problem;
 }
 
-BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+BorderCycle border_cycle_at(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
     const BorderLayout layout = layout_of(map, like);
     BorderCycle cycle = like;
     cycle.points = analysis::unstacked(y.head(layout.parameters()), map.dimension);
@@ -199,7 +199,7 @@ BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const E
     return cycle;
 }
 
-Eigen::VectorXd unknowns_of(const WordMap& map, const BorderCycle& cycle) {
+Eigen::VectorXd unknowns_of(const ItineraryMap& map, const BorderCycle& cycle) {
     const BorderLayout layout = layout_of(map, cycle);
     Eigen::VectorXd y(layout.touch_time() + (cycle.touch == Touch::grazing ? 1 : 0));
     y.head(layout.parameters()) = analysis::stacked(cycle.points);
@@ -213,10 +213,10 @@ namespace {
 
 /// On a stick-slip border the derivative is that of one side or the other, as rounding has it. A little beside it,
 /// where what is zero on it is positive, it is that of the side on which there is more slip.
-Eigen::VectorXd beside_border(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+Eigen::VectorXd beside_border(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
     constexpr double beside = 1e-9;
     const BorderLayout layout = layout_of(map, like);
-    const WordStep step =
+    const ItineraryStep step =
         map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()), like.vertices.front());
     const ModeMargin* margin = margin_of(like.touch, step);
     if (margin == nullptr) return y;
@@ -228,14 +228,14 @@ Eigen::VectorXd beside_border(const WordMap& map, const BorderCycle& like, const
 
 }  // namespace
 
-Eigen::MatrixXd monodromy_of(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& unknowns) {
+Eigen::MatrixXd monodromy_of(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& unknowns) {
     const Eigen::VectorXd y = beside_border(map, like, unknowns);
     const BorderLayout layout = layout_of(map, like);
     const Eigen::Index d = layout.dimension;
     Eigen::MatrixXd product = Eigen::MatrixXd::Identity(d, d);
     for (Eigen::Index i = 0; i < layout.period; ++i) {
-        const WordStep step = map.step(y.segment(i * d, d), y[layout.time(i)], y.segment<2>(layout.parameters()),
-                                       like.vertices[static_cast<std::size_t>(i)]);
+        const ItineraryStep step = map.step(y.segment(i * d, d), y[layout.time(i)], y.segment<2>(layout.parameters()),
+                                            like.vertices[static_cast<std::size_t>(i)]);
         const Eigen::MatrixXd by_state =
             step.after_by.leftCols(d) - step.after_by.col(d) * (step.touch.gap_by.head(d) / step.touch.gap_by[d]);
         product = (by_state * product).eval();
@@ -243,7 +243,7 @@ Eigen::MatrixXd monodromy_of(const WordMap& map, const BorderCycle& like, const 
     return product;
 }
 
-std::string refusal_of(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+std::string refusal_of(const ItineraryMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
     constexpr double least_rate = 2e-6;  // 2 u_n of the least impact that is one
     const BorderLayout layout = layout_of(map, like);
     const Eigen::Vector2d p = y.segment<2>(layout.parameters());
@@ -251,8 +251,8 @@ std::string refusal_of(const WordMap& map, const BorderCycle& like, const Eigen:
         const double time = y[layout.time(i)];
         const bool none = i == 0 && like.touch == Touch::no_flight;
         if (!none && !(time > 0)) return "two-vertices";
-        const WordTouchRows strike = map.touch(y.segment(i * layout.dimension, layout.dimension), time, p,
-                                               like.vertices[static_cast<std::size_t>(i)]);
+        const ItineraryTouchRows strike = map.touch(y.segment(i * layout.dimension, layout.dimension), time, p,
+                                                    like.vertices[static_cast<std::size_t>(i)]);
         if (!(strike.rate > least_rate)) return "grazing";
         if (!none && !is_clear(map, layout, y, i)) return "border";
     }
@@ -260,7 +260,7 @@ std::string refusal_of(const WordMap& map, const BorderCycle& like, const Eigen:
     const double at = y[layout.touch_time()];
     if (!(at > 0) || !(at < y[layout.time(0)])) return "two-vertices";
     // g″ < 0: it comes from inside and goes back.
-    const WordTouchRows touch = map.touch(y.head(layout.dimension), at, p, like.vertex);
+    const ItineraryTouchRows touch = map.touch(y.head(layout.dimension), at, p, like.vertex);
     return touch.rate_by[layout.dimension] < 0 ? "" : "border";
 }
 

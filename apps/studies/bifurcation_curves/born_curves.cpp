@@ -25,9 +25,9 @@ BorderCycle twice(const BorderCycle& cycle) {
 }
 
 /// The unknowns of both turns moved by the eigenvector at −1 of one of them, one forwards and one back.
-Eigen::VectorXd apart_by(const WordMap& map, const BorderCycle& flip, const BorderCycle& both) {
+Eigen::VectorXd apart_by(const ItineraryMap& map, const BorderCycle& flip, const BorderCycle& both) {
     const BorderLayout one = layout_of(map, flip), two = layout_of(map, both);
-    const Eigen::MatrixXd vectors = analysis::right_singular_vectors(word_matrix(map, flip, -1)).right;
+    const Eigen::MatrixXd vectors = analysis::right_singular_vectors(itinerary_matrix(map, flip, -1)).right;
     const Eigen::VectorXd null = vectors.col(vectors.cols() - 1);
     Eigen::VectorXd apart = Eigen::VectorXd::Zero(unknowns_of(map, both).size());
     const Eigen::Index n = one.parameters();
@@ -40,7 +40,7 @@ Eigen::VectorXd apart_by(const WordMap& map, const BorderCycle& flip, const Bord
 
 }  // namespace
 
-std::optional<BorderCycle> doubled_on_border(const WordMap& map, const Plane& plane, const BorderCycle& flip) {
+std::optional<BorderCycle> doubled_on_border(const ItineraryMap& map, const Plane& plane, const BorderCycle& flip) {
     const BorderCycle both = twice(flip);
     const analysis::CurveProblem problem = border_problem(map, plane, both);
     const Eigen::VectorXd middle = unknowns_of(map, both);
@@ -63,10 +63,10 @@ std::optional<BorderCycle> doubled_on_border(const WordMap& map, const Plane& pl
 
 namespace {
 
-/// As many equations as unknowns: the cycle of a word, how far it is from the border, and its multiplier 1 or −1; where
-/// a pair is on the circle, that it lies beside the special point (the curve is then sought from there).
+/// As many equations as unknowns: the cycle of an itinerary, how far it is from the border, and its multiplier 1 or −1;
+/// where a pair is on the circle, that it lies beside the special point (the curve is then sought from there).
 struct BornSystem {
-    const WordMap& map;
+    const ItineraryMap& map;
     const Plane& plane;
     BorderCycle like;
     bool strikes;                     ///< with the impact that vanishes on the border, the first of the cycle
@@ -75,7 +75,7 @@ struct BornSystem {
     double off;                       ///< what touches, off the border
 
     double determinant(const Eigen::VectorXd& y) const {
-        return word_determinant(map, border_cycle_at(map, like, y), multiplier.real());
+        return itinerary_determinant(map, border_cycle_at(map, like, y), multiplier.real());
     }
 
     analysis::ShootingResidual equations(const Eigen::VectorXd& y) const {
@@ -163,41 +163,42 @@ StartingPoint starting_point_on_border(const BorderCycle& cycle) {
 }
 
 /// The critical multiplier at a special point of a border curve; none if it is a neutral saddle's.
-std::optional<std::complex<double>> multiplier_at(const WordMap& words, const BorderCurve& curve,
+std::optional<std::complex<double>> multiplier_at(const ItineraryMap& itineraries, const BorderCurve& curve,
                                                   const analysis::PlaneSpecial& special) {
     if (special.kind.rfind("fold", 0) == 0) return 1;
     if (special.kind.rfind("flip", 0) == 0) return -1;
-    const auto multipliers = analysis::sorted_multipliers(monodromy_of(words, curve.like, special.at.y));
+    const auto multipliers = analysis::sorted_multipliers(monodromy_of(itineraries, curve.like, special.at.y));
     if (!has_pair_on_circle(multipliers)) return std::nullopt;
     return critical_pair(multipliers);
 }
 
 }  // namespace
 
-BornPoints points_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+BornPoints points_born_on(const ItineraryMap& itineraries, const analysis::PlaneMap& map, const Plane& plane,
                           const analysis::BoundaryOptions& options, std::size_t longest_period,
                           const BorderCurve& curve) {
     BornPoints born;
     for (const auto& special : curve.arc.special) {
-        const auto multiplier = multiplier_at(words, curve, special);
+        const auto multiplier = multiplier_at(itineraries, curve, special);
         if (!multiplier) continue;
         const bool strikes = special.kind == fold_of_impact || special.kind == flip_of_impact;
-        BorderCycle cycle = border_cycle_at(words, curve.like, special.at.y);
+        BorderCycle cycle = border_cycle_at(itineraries, curve.like, special.at.y);
         const std::size_t period = curve.like.points.size() + (strikes ? 1 : 0);
         if (*multiplier == -1.0 && !strikes && 2 * period <= longest_period) {
-            if (const auto doubled = doubled_on_border(words, plane, cycle))
+            if (const auto doubled = doubled_on_border(itineraries, plane, cycle))
                 born.starting_points.push_back(starting_point_on_border(*doubled));
             else
                 ++born.not_found;
         }
         if (period > longest_period) continue;
-        if (strikes) cycle = with_impact(words, cycle, 0);
+        if (strikes) cycle = with_impact(itineraries, cycle, 0);
         for (const double sign : signs_of(cycle.touch, strikes)) {
             std::optional<StartingPoint> start;
             for (const double off : {1e-3, 1e-4, 1e-5})
                 if (!start)
                     start = starting_point_of(
-                        {words, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map, options);
+                        {itineraries, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map,
+                        options);
             if (start)
                 born.starting_points.push_back(std::move(*start));
             else

@@ -15,7 +15,7 @@ struct SearchEquations {
     FollowOptions follow;
     analysis::PlaneMap map;
     analysis::ShootingMap coordinates;
-    WordMap words;
+    ItineraryMap words;
     analysis::BoundaryOptions smooth;
     BorderOptions border;
 
@@ -25,7 +25,7 @@ struct SearchEquations {
           follow(options),
           map(plane_map_of(of, over.parameter(0), over.parameter(1))),
           coordinates(analysis::on_line(map, 0, over.low())),
-          words(word_map_of(of, over.parameter(0), over.parameter(1))),
+          words(itinerary_map_of(of, over.parameter(0), over.parameter(1))),
           smooth(smooth_options(of, over, options.longest_step, options.control.stop)),
           border{options.longest_step, options.control.stop} {}
 };

@@ -17,11 +17,11 @@ using analysis::Boundary;
 using analysis::BoundaryKind;
 
 std::string border_behind(const Scene<double>& scene, const analysis::CyclePoints& points,
-                          const std::vector<std::int64_t>& word_behind) {
+                          const std::vector<std::int64_t>& itinerary_behind) {
     analysis::CurvePoint last;
     last.y = analysis::stacked(points);
     last.shooting = analysis::shooting_residual(shooting_map_of(scene), points, 0);
-    const std::string name = border_name(scene, last, word_behind, false, Accuracy::double_precision);
+    const std::string name = border_name(scene, last, itinerary_behind, false, Accuracy::double_precision);
     return name == analysis::nameless_border ? "" : name;
 }
 
@@ -58,8 +58,8 @@ analysis::BoundaryOptions smooth_options(const Scene<double>& scene, const Plane
         return scene_forms(scene_at(scene, plane, p), plane.parameter(0), points, p[0]);
     };
     options.name_border = [scene, plane](const analysis::CyclePoints& points, const Eigen::Vector2d& p,
-                                         const std::vector<std::int64_t>& word_behind) {
-        return border_behind(scene_at(scene, plane, p), points, word_behind);
+                                         const std::vector<std::int64_t>& itinerary_behind) {
+        return border_behind(scene_at(scene, plane, p), points, itinerary_behind);
     };
     return options;
 }

@@ -5,7 +5,7 @@
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
 #include "apps/studies/parallel/pieces.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,8 +122,8 @@ std::vector<StartingPoint> starting_points_of(const std::vector<Branch>& branche
             if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
             StartingPoint start{kind_of(special), special.cycle.at.points(), line.p, critical_multiplier(special)};
             name_flights(start, special.cycle.at.shooting.steps);
-            for (const auto letter : special.word_before) start.modes_before.push_back(letter_from(letter).mode);
-            for (const auto letter : special.word_after) start.modes_behind.push_back(letter_from(letter).mode);
+            for (const auto letter : special.itinerary_before) start.modes_before.push_back(letter_from(letter).mode);
+            for (const auto letter : special.itinerary_after) start.modes_behind.push_back(letter_from(letter).mode);
             start.p[line.axis] = special.cycle.at.p();
             starting_points.push_back(std::move(start));
         }

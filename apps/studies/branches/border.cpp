@@ -85,16 +85,16 @@ std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoin
 }  // namespace
 
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
-                        const std::vector<std::int64_t>& word_after, bool goes_on, Accuracy accuracy) {
+                        const std::vector<std::int64_t>& itinerary_after, bool goes_on, Accuracy accuracy) {
     if (!goes_on) {
         const std::string name = with_scene_map(
             scene, [&](const auto& map) { return name_without_cycle(map, last); }, contact_horizon, accuracy);
         if (name != analysis::nameless_border) return name;
     }
-    const auto before = last.shooting.word;
-    for (std::size_t i = 0; i < before.size() && i < word_after.size(); ++i) {
-        if (before[i] == word_after[i]) continue;
-        const Letter a = letter_from(before[i]), b = letter_from(word_after[i]);
+    const auto before = last.shooting.itinerary;
+    for (std::size_t i = 0; i < before.size() && i < itinerary_after.size(); ++i) {
+        if (before[i] == itinerary_after[i]) continue;
+        const Letter a = letter_from(before[i]), b = letter_from(itinerary_after[i]);
         if (a.through_contact != b.through_contact) return "landing";
         return a.vertex_step == b.vertex_step ? "stick-slip" : "two-vertices";
     }

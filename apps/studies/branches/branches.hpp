@@ -30,10 +30,10 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
 /// The scene's value of the parameter; a family's is not needed.
 double value_of(const Scene<double>& scene, const ParameterRange& along);
 
-/// The name of a border from the last cycle before it and the word behind it: "stick-slip", "two-vertices", "grazing",
-/// "landing" (contact that lasts begins or ends), or "border" where none of these is seen there.
+/// The name of a border from the last cycle before it and the itinerary behind it: "stick-slip", "two-vertices",
+/// "grazing", "landing" (contact that lasts begins or ends), or "border" where none of these is seen there.
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
-                        const std::vector<std::int64_t>& word_after, bool goes_on, Accuracy accuracy);
+                        const std::vector<std::int64_t>& itinerary_after, bool goes_on, Accuracy accuracy);
 
 /// Second and third derivatives of Fᵏ by differences of DF in 113 bits.
 analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,

@@ -1,8 +1,8 @@
 #include "apps/studies/certify/certified_orbit.hpp"
 #include "apps/studies/parallel/pieces.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -29,7 +29,7 @@ Candidate candidate_at(const CyclePlace& place) {
         }
         candidate.claim.points.push_back(z);
         candidate.claim.times.push_back(step.duration);
-        candidate.claim.word.push_back({letter.vertex_step, letter.mode, 0});
+        candidate.claim.itinerary.push_back({letter.vertex_step, letter.mode, 0});
     }
     return candidate;
 }

@@ -44,7 +44,7 @@ struct Certified {
     }
 };
 
-/// What the map itself says of a cycle through these points: its flights' times and its word.
+/// What the map itself says of a cycle through these points: its flights' times and its itinerary.
 Candidate candidate_at(const CyclePlace& place);
 
 /// What is proven of one, as number 1.

@@ -2,8 +2,8 @@
 
 #include "analysis/cycles/find_cycles.hpp"
 #include "apps/studies/cycles/steady_cycles.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
 
 #include <algorithm>
 #include <iterator>

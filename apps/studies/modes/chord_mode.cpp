@@ -1,7 +1,7 @@
 #include "apps/studies/modes/chord_mode.hpp"
 
 #include "analysis/special_values.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 #include "map/chords/chord_fate.hpp"
 #include "map/chords/chord_response.hpp"
 

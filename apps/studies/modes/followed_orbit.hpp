@@ -46,8 +46,8 @@ analysis::SettlingOrbit<SceneMap<D>> settling(const PostImpactState<double>& fir
 
 /// Its verdict. Where that is known beforehand, derivatives and periods would cost much and tell nothing.
 template <int D>
-analysis::Classification judged(const SceneMap<D>& map, FollowedScene<D>& orbit,
-                                const analysis::ClassifyOptions& settings, bool dissipative);
+analysis::Classification judge(const SceneMap<D>& map, FollowedScene<D>& orbit,
+                               const analysis::ClassifyOptions& settings, bool dissipative);
 
 extern template FollowedScene<disk_dimension> followed(const SceneMap<disk_dimension>&, const PostImpactState<double>&,
                                                        std::int64_t, const analysis::ClassifyOptions&, bool,
@@ -56,9 +56,9 @@ extern template FollowedScene<polygon_dimension> followed(const SceneMap<polygon
                                                           const PostImpactState<double>&, std::int64_t,
                                                           const analysis::ClassifyOptions&, bool,
                                                           const analysis::Stop&);
-extern template analysis::Classification judged(const SceneMap<disk_dimension>&, FollowedScene<disk_dimension>&,
-                                                const analysis::ClassifyOptions&, bool);
-extern template analysis::Classification judged(const SceneMap<polygon_dimension>&, FollowedScene<polygon_dimension>&,
-                                                const analysis::ClassifyOptions&, bool);
+extern template analysis::Classification judge(const SceneMap<disk_dimension>&, FollowedScene<disk_dimension>&,
+                                               const analysis::ClassifyOptions&, bool);
+extern template analysis::Classification judge(const SceneMap<polygon_dimension>&, FollowedScene<polygon_dimension>&,
+                                               const analysis::ClassifyOptions&, bool);
 
 }  // namespace swirl::studies

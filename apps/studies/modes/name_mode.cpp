@@ -186,7 +186,7 @@ NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const NamingOp
     }
     auto orbit = followed(map, begin.state, steps_before(begin, settings), settings,
                           is_dissipative_without_drive(scene), options.stop);
-    return named_from(map, scene, begin, orbit, settings, samples);
+    return name_from(map, scene, begin, orbit, settings, samples);
 }
 
 }  // namespace
@@ -214,8 +214,8 @@ NamedMode named_without_orbit(const OrbitBegin& begin) {
 }
 
 template <int D>
-NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
-                     FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
+NamedMode name_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
+                    FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
     const bool dissipative = is_dissipative_without_drive(scene);
     NamedMode named;
     named.impacts = begin.impacts;
@@ -223,7 +223,7 @@ NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const O
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
     if (samples) keep_samples(map, tail, *samples);
-    named.verdict = judged(map, orbit, settings, dissipative);
+    named.verdict = judge(map, orbit, settings, dissipative);
     named.impacts += named.verdict.steps;
     if (tail.ended) {
         named.outcome = ending_at(map, tail.end, named.impacts);
@@ -239,17 +239,17 @@ NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const O
     return named;
 }
 
-template NamedMode named_from(const SceneMap<disk_dimension>&, const Scene<double>&, const OrbitBegin&,
-                              FollowedScene<disk_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
-template NamedMode named_from(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
-                              FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+template NamedMode name_from(const SceneMap<disk_dimension>&, const Scene<double>&, const OrbitBegin&,
+                             FollowedScene<disk_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+template NamedMode name_from(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
+                             FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
 
 template <int D>
 NamedMode named_at_look(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
                         FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
     analysis::ClassifyOptions asked = settings;
     asked.chaos_alone = true;
-    NamedMode named = named_from(map, scene, begin, orbit, asked, samples);
+    NamedMode named = name_from(map, scene, begin, orbit, asked, samples);
     if (!named.finished || orbit.cycle.period > 0 || orbit.tail.ended) return named;
     if (named.verdict.kind != analysis::Kind::chaotic || orbit.tail.cut) {
         named.verdict = {};

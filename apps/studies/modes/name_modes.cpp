@@ -37,7 +37,7 @@ struct Naming {
 
     NamedMode named(OrbitSamples* samples) {
         return at_look ? named_at_look(map, scene, begin, orbit.orbit(), settings, samples)
-                       : named_from(map, scene, begin, orbit.orbit(), settings, samples);
+                       : name_from(map, scene, begin, orbit.orbit(), settings, samples);
     }
 };
 

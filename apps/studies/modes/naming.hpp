@@ -43,8 +43,8 @@ NamedMode named_without_orbit(const OrbitBegin& begin);
 
 /// What is said of an orbit that was followed.
 template <int D>
-NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
-                     FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings,
-                     OrbitSamples* samples = nullptr);
+NamedMode name_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
+                    FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings,
+                    OrbitSamples* samples = nullptr);
 
 }  // namespace swirl::studies

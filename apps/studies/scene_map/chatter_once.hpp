@@ -1,9 +1,9 @@
 // Chatter that ends in contact counts as one impact.
 //
 // With e < 1 a landing comes after rebounds without end. How many of them a number type can tell apart is a matter of e
-// and of rounding (5, 7, 9 … as e grows), not of the motion. So wherever impacts are counted (periods, words, means per
-// impact) the first of them stands for all, and the step from it leads through the rebounds and the contact to the
-// impact after: a cycle whose one impact lands has period 1 for every e.
+// and of rounding (5, 7, 9 … as e grows), not of the motion. So wherever impacts are counted (periods, itineraries,
+// means per impact) the first of them stands for all, and the step from it leads through the rebounds and the contact
+// to the impact after: a cycle whose one impact lands has period 1 for every e.
 //
 // Rebounds are a run of impacts, each after a shorter flight than the one before, on one vertex (or the rim), or on two
 // neighbours in turn (an edge that rocks), at whose end the return map leads through contact.
@@ -32,7 +32,8 @@ analysis::Advance<D, PostImpactState<double>> advance_as_one(const SceneMap<D>& 
     return sum_of(map, steps_as_one(map, z));
 }
 
-/// The sum of two letters of a word: vertices on from both, the later one's contact mode, through contact if either is.
+/// The sum of two letters of an itinerary: vertices on from both, the later one's contact mode, through contact if
+/// either is.
 Letter joined(const Letter& first, const Letter& second, int sides);
 
 extern template std::vector<ReturnStep<double>> steps_as_one(const SceneMap<disk_dimension>&,

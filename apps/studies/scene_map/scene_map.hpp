@@ -3,9 +3,9 @@
 
 #include "analysis/section_map.hpp"
 #include "apps/studies/scene_map/accuracy.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 #include "apps/studies/scene_map/lanes.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/return_map.hpp"

@@ -1,6 +1,6 @@
+#include "apps/studies/scene_map/itinerary_map.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "apps/studies/scene_map/word_map.hpp"
 #include "map/derivative/timed_collision.hpp"
 
 #include <cmath>

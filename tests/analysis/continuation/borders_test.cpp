@@ -58,8 +58,8 @@ TEST(Borders, ABranchGoesOnAcrossAKink) {
         EXPECT_EQ(border.kind, SpecialKind::border);
         EXPECT_TRUE(border.goes_on);
         EXPECT_NEAR(border.cycle.at.p(), 0, 1e-10);
-        EXPECT_EQ(border.word_before, Word{0}) << "from p = " << p;
-        EXPECT_EQ(border.word_after, Word{1}) << "from p = " << p;
+        EXPECT_EQ(border.itinerary_before, Word{0}) << "from p = " << p;
+        EXPECT_EQ(border.itinerary_after, Word{1}) << "from p = " << p;
     }
 }
 

@@ -15,13 +15,13 @@ using Eigen::Vector2d;
 /// The corrector ends where a step is rounding: 10⁻¹⁴, or less than 10⁻⁹ and no more than halved.
 constexpr double exact = 1e-14;
 
-/// x² + y² − 1 and its gradient; the word tells the sign of x.
+/// x² + y² − 1 and its gradient; the itinerary tells the sign of x.
 ShootingResidual circle_at(const Eigen::VectorXd& y) {
     ShootingResidual at;
     at.alive = true;
     at.gap = Eigen::VectorXd::Constant(1, y.squaredNorm() - 1);
     at.jacobian = 2 * y.transpose();
-    at.word = {y[0] > 0 ? 1 : 0};
+    at.itinerary = {y[0] > 0 ? 1 : 0};
     return at;
 }
 
@@ -43,7 +43,7 @@ PlaneCurve followed(const CurveProblem& problem, PlaneCurveOptions options) {
 
 TEST(Curve, ACircleClosesWithTangentsThatTurnByFourteenDegreesAtMost) {
     CurveProblem problem = circle();
-    problem.keeps_word = false;
+    problem.keeps_itinerary = false;
     PlaneCurveOptions options;
     options.steps.longest = 1;
     const PlaneCurve curve = followed(problem, options);
@@ -62,16 +62,17 @@ TEST(Curve, AStepAcrossAChangeOfTheWordEndsWhereTheWordIsKept) {
     const CurveProblem problem = circle();
     const PlaneCurve curve = followed(problem, {});
     EXPECT_EQ(curve.end.why, CurveEnd::not_converged);
-    for (const CurvePoint& point : curve.points) EXPECT_EQ(point.shooting.word, curve.points.front().shooting.word);
+    for (const CurvePoint& point : curve.points)
+        EXPECT_EQ(point.shooting.itinerary, curve.points.front().shooting.itinerary);
     const CurvePoint base = point_near(problem, {-0.1, 1}, {1, 0});
     CurvePoint next;
-    EXPECT_EQ(correct(problem, base, 0.3, next), Correction::word_changed);
+    EXPECT_EQ(correct(problem, base, 0.3, next), Correction::itinerary_changed);
     EXPECT_GT(next.y[0], 0);
 }
 
 TEST(Curve, PointsThatAreRefusedEndItAtTheLastThatWasNot) {
     CurveProblem problem = circle();
-    problem.keeps_word = false;
+    problem.keeps_itinerary = false;
     PlaneCurveOptions options;
     options.accepts = [](const CurvePoint& at) { return at.y[0] > 0.5 ? "fence" : ""; };
     const PlaneCurve curve = followed(problem, options);

@@ -92,7 +92,7 @@ Looked look_at(const Scene<double>& scene, std::uint64_t seed) {
     }
     if (looked.looks.empty()) return looked;
     const auto last = z;
-    // The word's last break of all impacts, from the first on.
+    // The itinerary's last break of all impacts, from the first on.
     z = begin.state;
     std::int64_t broken = 0, before = -1;
     for (std::int64_t n = 1; n <= looks * between_looks + followed_on; ++n) {

@@ -16,7 +16,7 @@ namespace swirl::studies {
 struct LongRun {
     std::vector<double> energies;  ///< mean energy in the container's frame, of each stretch
     std::vector<double> spins;     ///< mean S
-    bool one_word = true;          ///< every impact sticks, and goes on by the same number of vertices
+    bool one_itinerary = true;     ///< every impact sticks, and goes on by the same number of vertices
     bool ended = false;            ///< no impact any more, or faster than the numbers, before all were seen
 
     /// The energy's mean rises from each stretch to the next.
@@ -62,8 +62,8 @@ inline LongRun long_run_of(const Scene<double>& scene, const Start<double>& star
                 run.spins.push_back(0);
             }
             if (vertices < 0) vertices = step.collision.vertex_step;
-            run.one_word &= step.contacts.empty() && ends_in_stick(step.collision.impulse.mode) &&
-                            step.collision.vertex_step == vertices;
+            run.one_itinerary &= step.contacts.empty() && ends_in_stick(step.collision.impulse.mode) &&
+                                 step.collision.vertex_step == vertices;
             run.energies.back() += energy_in_container(scene, z) / static_cast<double>(length);
             run.spins.back() += z.spin / static_cast<double>(length);
         }

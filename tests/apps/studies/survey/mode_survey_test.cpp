@@ -43,7 +43,7 @@ Driven driven_truth(const Scene<double>& scene, const LabStart<double>& start, c
     const LongRun run = long_run_of(scene, start, 20'000, 100'000, 10);
     const bool along_a_chord = found.verdict.mode == Mode::quasi_steady;
     if (!along_a_chord) return run.ended || run.grows() ? Driven::holds : Driven::fails;
-    if (run.ended || !run.one_word) return Driven::fails;
+    if (run.ended || !run.one_itinerary) return Driven::fails;
     const bool holds = kind == Kind::accelerated ? run.grows() : run.approaches(found.limit_spin, near_limit);
     return holds ? Driven::holds : Driven::fails;
 }

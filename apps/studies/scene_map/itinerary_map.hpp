@@ -1,4 +1,4 @@
-// The letters of an orbit's word: which smooth branch of the return map each step took.
+// The letters of an orbit's itinerary: which smooth branch of the return map each step took.
 #pragma once
 
 #include "map/derivative/parameter.hpp"
@@ -37,10 +37,10 @@ inline Letter letter_of(const ReturnStep<double>& step) {
     return {step.collision.vertex_step, step.collision.impulse.mode, !step.contacts.empty()};
 }
 
-// Flights and impacts by a word that is given, over two parameters, for cycles on the borders of the map.
+// Flights and impacts by an itinerary that is given, over two parameters, for cycles on the borders of the map.
 
 /// g and g′ of a vertex at a time after z; derivatives by (z, t, p₁, p₂), D + 3 long.
-struct WordTouchRows {
+struct ItineraryTouchRows {
     double gap = 0, rate = 0;
     Eigen::RowVectorXd gap_by, rate_by;
 };
@@ -52,8 +52,8 @@ struct ModeMargin {
 };
 
 /// The state after its impact then, with derivatives by the same, D × (D + 3).
-struct WordStep {
-    WordTouchRows touch;
+struct ItineraryStep {
+    ItineraryTouchRows touch;
     Eigen::VectorXd after;
     Eigen::MatrixXd after_by;
     ContactMode mode = ContactMode::frictionless;
@@ -61,20 +61,20 @@ struct WordStep {
     ModeMargin slip, late, held;  ///< p_k − p_end; C(p_k); |B₃| − μB₁
 };
 
-struct WordMap {
+struct ItineraryMap {
     int dimension = 0;
     int sides = 0;                      ///< 0: a disk, whose rim is its one vertex
     std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
     using Point = Eigen::VectorXd;
     using Plane = Eigen::Vector2d;
-    std::function<WordStep(const Point& z, double time, const Plane& p, int vertex)> step;
-    std::function<WordTouchRows(const Point& z, double time, const Plane& p, int vertex)> touch;
+    std::function<ItineraryStep(const Point& z, double time, const Plane& p, int vertex)> step;
+    std::function<ItineraryTouchRows(const Point& z, double time, const Plane& p, int vertex)> touch;
     /// The vertices nearest to the wall at a time, with their gaps: the nearest first.
     std::function<std::vector<std::pair<int, double>>(const Point& z, double time, const Plane& p)> nearest;
 };
 
 /// The scene's; vertices are counted from the one that has just struck. Friction is what `scene` has, or where μ is a
 /// parameter.
-WordMap word_map_of(const Scene<double>& scene, Parameter first, Parameter second);
+ItineraryMap itinerary_map_of(const Scene<double>& scene, Parameter first, Parameter second);
 
 }  // namespace swirl::studies

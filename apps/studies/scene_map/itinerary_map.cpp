@@ -1,7 +1,7 @@
-#include "apps/studies/scene_map/word_map.hpp"
+#include "apps/studies/scene_map/itinerary_map.hpp"
 
 #include "apps/studies/scene_map/section_coordinates.hpp"
-#include "map/derivative/word_collision.hpp"
+#include "map/derivative/itinerary_collision.hpp"
 
 #include <type_traits>
 #include <utility>
@@ -11,13 +11,13 @@ namespace swirl::studies {
 namespace {
 
 template <Shape shape>
-WordTouchRows rows_of(const WordTouch<double, shape>& touch) {
+ItineraryTouchRows rows_of(const ItineraryTouch<double, shape>& touch) {
     return {touch.gap, touch.rate, touch.gap_by, touch.rate_by};
 }
 
 /// The functions of one shape and rule.
 template <Shape shape, ImpactRule rule>
-struct WordFunctions {
+struct ItineraryFunctions {
     static constexpr int dimension = section_dimension<shape>;
 
     Scene<double> scene;
@@ -28,10 +28,10 @@ struct WordFunctions {
         return with_parameter(with_parameter(scene, first, p[0]), second, p[1]);
     }
 
-    WordStep step(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p, int vertex) const {
+    ItineraryStep step(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p, int vertex) const {
         const auto collision =
-            collide_by_word<double, shape, rule>(at(p), first, second, section_point_of(z), time, vertex);
-        WordStep result;
+            collide_by_itinerary<double, shape, rule>(at(p), first, second, section_point_of(z), time, vertex);
+        ItineraryStep result;
         result.touch = rows_of<shape>(collision.touch);
         result.after = Eigen::Map<const Eigen::Matrix<double, dimension, 1>>(collision.after.data());
         result.after_by = collision.after_by;
@@ -44,9 +44,9 @@ struct WordFunctions {
         return result;
     }
 
-    WordTouchRows touch(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p, int vertex) const {
+    ItineraryTouchRows touch(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p, int vertex) const {
         return rows_of<shape>(
-            touch_by_word<double, shape, rule>(at(p), first, second, section_point_of(z), time, vertex));
+            touch_by_itinerary<double, shape, rule>(at(p), first, second, section_point_of(z), time, vertex));
     }
 
     std::vector<std::pair<int, double>> nearest(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p) const {
@@ -66,14 +66,14 @@ struct WordFunctions {
 
 }  // namespace
 
-WordMap word_map_of(const Scene<double>& scene, Parameter first, Parameter second) {
+ItineraryMap itinerary_map_of(const Scene<double>& scene, Parameter first, Parameter second) {
     Scene<double> typical = scene;
     for (const Parameter parameter : {first, second})
         if (parameter == Parameter::mu) typical = with_parameter(typical, parameter, 1.0);
     return with_collision_map(typical, [&](const auto& map) {
         using Map = std::decay_t<decltype(map)>;
-        const WordFunctions<Map::shape, Map::rule> functions{typical, map.body(), first, second};
-        WordMap result;
+        const ItineraryFunctions<Map::shape, Map::rule> functions{typical, map.body(), first, second};
+        ItineraryMap result;
         result.dimension = functions.dimension;
         result.sides = typical.sides;
         for (int i = 0; i < functions.dimension; ++i)

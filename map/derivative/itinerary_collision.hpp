@@ -17,23 +17,23 @@ namespace swirl {
 
 /// By z (in the section's order), the time, the first and the second parameter.
 template <class T, Shape shape>
-struct WordUnknowns {
+struct ItineraryUnknowns {
     static constexpr int count = section_dimension<shape> + 3;
     using Row = Eigen::Matrix<T, 1, count>;
 };
 
 /// g = |x|² − 1 of a vertex (disk: |X|² − (1 − α)²) and g′ at a time, with their derivatives.
 template <class T, Shape shape>
-struct WordTouch {
+struct ItineraryTouch {
     T gap{}, rate{};
-    typename WordUnknowns<T, shape>::Row gap_by, rate_by;
+    typename ItineraryUnknowns<T, shape>::Row gap_by, rate_by;
 };
 
 /// What decides the contact mode of an impact (map/README.md, "Impact"): zero where F is continuous and DF jumps. p_k
 /// is the impulse at which slip would stop; meaningless where it never does (`stops` false).
 template <class T, Shape shape>
 struct ModeMargins {
-    using Row = typename WordUnknowns<T, shape>::Row;
+    using Row = typename ItineraryUnknowns<T, shape>::Row;
     bool stops = false;
     T slip{}, late{}, held{};  ///< p_k − p_end; C(p_k); |B₃| − μB₁
     Row slip_by, late_by, held_by;
@@ -41,10 +41,10 @@ struct ModeMargins {
 
 /// The state after the impact of a vertex at a time, as if it were on the wall then.
 template <class T, Shape shape>
-struct WordCollision {
-    WordTouch<T, shape> touch;  ///< of the vertex that strikes
+struct ItineraryCollision {
+    ItineraryTouch<T, shape> touch;  ///< of the vertex that strikes
     std::array<T, section_dimension<shape>> after;
-    Eigen::Matrix<T, section_dimension<shape>, WordUnknowns<T, shape>::count> after_by;
+    Eigen::Matrix<T, section_dimension<shape>, ItineraryUnknowns<T, shape>::count> after_by;
     ContactMode mode = ContactMode::frictionless;
     ModeMargins<T, shape> margins;
 };
@@ -79,7 +79,7 @@ ModeMargins<T, shape> margins_of(const CollisionMap<Jet, shape, rule>& map, cons
 /// The flight from z and its moment `time`, in Jets of all unknowns.
 template <class T, Shape shape, ImpactRule rule>
 struct SeededFlight {
-    using Jet = ceres::Jet<T, WordUnknowns<T, shape>::count>;
+    using Jet = ceres::Jet<T, ItineraryUnknowns<T, shape>::count>;
 
     CollisionMap<Jet, shape, rule> map;
     Flight<Jet> flight;
@@ -99,7 +99,7 @@ struct SeededFlight {
         if constexpr (shape == Shape::polygon) arm = map.body().turned_to_vertex(at.arm, vertex);
     }
 
-    WordTouch<T, shape> touch() const {
+    ItineraryTouch<T, shape> touch() const {
         Jet gap, rate;
         if constexpr (shape == Shape::disk) {
             gap = dot(at.centre, at.centre) - map.body().inner * map.body().inner;
@@ -126,20 +126,20 @@ private:
 
 /// Cost: one flight in Jets of dimension + 3, some four collisions.
 template <class T, Shape shape, ImpactRule rule>
-WordTouch<T, shape> touch_by_word(const Scene<T>& scene, Parameter first, Parameter second, const SectionPoint<T>& z,
-                                  const T& time, int vertex) {
+ItineraryTouch<T, shape> touch_by_itinerary(const Scene<T>& scene, Parameter first, Parameter second,
+                                            const SectionPoint<T>& z, const T& time, int vertex) {
     return detail::SeededFlight<T, shape, rule>(scene, first, second, z, time, vertex).touch();
 }
 
 /// Cost: some eight collisions. An approach of u_n < 0 counts as u_n = 0.
 template <class T, Shape shape, ImpactRule rule>
-WordCollision<T, shape> collide_by_word(const Scene<T>& scene, Parameter first, Parameter second,
-                                        const SectionPoint<T>& z, const T& time, int vertex) {
+ItineraryCollision<T, shape> collide_by_itinerary(const Scene<T>& scene, Parameter first, Parameter second,
+                                                  const SectionPoint<T>& z, const T& time, int vertex) {
     using Seeded = detail::SeededFlight<T, shape, rule>;
     const Seeded seeded(scene, first, second, z, time, vertex);
     Collision<typename Seeded::Jet> collision;
     seeded.map.strike(seeded.flight, seeded.at, shape == Shape::disk ? seeded.at.centre : seeded.arm, 0, collision);
-    WordCollision<T, shape> result;
+    ItineraryCollision<T, shape> result;
     result.touch = seeded.touch();
     const auto next = coordinates<shape>(section_point(collision.after));
     for (int i = 0; i < section_dimension<shape>; ++i) {

@@ -67,6 +67,12 @@ int run(int argc, char** argv) {
     return code;
 }
 
+// What nohup has set is asked before the constructors of shared libraries run: one may take SIGHUP for itself, as that
+// of UCX does (findings/hangup_of_ucx.sh). Sanitizers are not ready that early.
+#if !defined(SWIRL_SANITIZED)
+[[gnu::section(".preinit_array"), gnu::used]] void (*asked_first)() = keep_ignored_hangup;
+#endif
+
 }  // namespace
 }  // namespace swirl::apps
 

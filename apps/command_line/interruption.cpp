@@ -51,12 +51,6 @@ bool ignores_hangup() {
 
 bool hangup_is_ignored = false;
 
-// What nohup has set is asked before the constructors of shared libraries run: one may take SIGHUP for itself, as that
-// of UCX does (findings/hangup_of_ucx.sh). Sanitizers are not ready that early.
-#if !defined(SWIRL_SANITIZED)
-[[gnu::section(".preinit_array"), gnu::used]] void (*asked_first)() = [] { hangup_is_ignored = ignores_hangup(); };
-#endif
-
 void handle(void (*handler)(int)) {
     std::signal(SIGINT, handler);
     std::signal(SIGTERM, handler);
@@ -65,6 +59,10 @@ void handle(void (*handler)(int)) {
 }
 
 }  // namespace
+
+void keep_ignored_hangup() {
+    hangup_is_ignored = ignores_hangup();
+}
 
 void exit_when_interrupted() {
     if (const auto caller = caller_of_this_thread()) {

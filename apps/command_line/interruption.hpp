@@ -9,6 +9,9 @@ namespace swirl::apps {
 /// A command that a caller has stopped, and that has nothing to keep.
 struct Interrupted {};
 
+/// A SIGHUP that is ignored from outside now, as by nohup, stays so, whatever a library does to it later.
+void keep_ignored_hangup();
+
 /// From now on these signals end the process with exit code 130 at once: for work of which nothing is finished before
 /// its end. Files that are being written are removed. (A SIGHUP that is ignored from outside, as by nohup, stays so.)
 /// @throws Interrupted where a caller has said stop, and then no more

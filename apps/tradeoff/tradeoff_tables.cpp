@@ -262,7 +262,7 @@ Table<EvidenceRow> evidence_table() {
 Table<RiskRow> risk_table() {
     using F = Field<RiskRow>;
     return {{"risk_level"},
-            {F{"risk", &RiskRow::risk, "1", "--risk; 0: all to the limits"}.shown("risk", "  {:>6g}"),
+            {F{"risk", &RiskRow::risk, "1", "--risk; 0: all to the limits"}.shown("risk", "  {:>6.3g}"),
              F{"runs", &RiskRow::runs, "1", "random starts"}.shown("runs", " {:>7}"),
              F{"impacts", &RiskRow::impacts, "1", "of all runs together"}.shown("impacts", " {:>12}"),
              F{"seconds", &RiskRow::seconds, "s", "of one core for these"}.shown("time", seconds_format(" {:>9}")),

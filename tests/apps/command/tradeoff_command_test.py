@@ -303,6 +303,11 @@ class AtRisk(InFolder):
         self.assertAlmostEqual(row["seconds"] / rows[0]["seconds"], row["impacts"] / rows[0]["impacts"], places=9)
         self.assertIn(f"--risk {found['recommended_risk']:g} takes", found["advice"])
 
+    def test_people_see_them_in_a_table(self):
+        shown = run(f"tradeoff {self.SCENE} --budget 1")
+        self.assertEqual((shown.returncode, shown.stderr), (0, ""))
+        self.assertRegex(shown.stdout, r"risk +runs +impacts +time +called early +of these otherwise +of all +below\n +0 +\d+ ")
+
     def test_a_start_that_is_given_has_none(self):
         found = document(f"tradeoff {self.SCENE} --point 0,0,-0.5,0.5,0.1 --budget 0.3")
         self.assertEqual((found["risk"], found["recommended_risk"]), ([], None))

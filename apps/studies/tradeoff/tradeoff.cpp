@@ -110,7 +110,6 @@ Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Am
     Tradeoff found;
     for (const Arithmetic& arithmetic : all_arithmetics()) found.arithmetics.emplace_back().arithmetic = &arithmetic;
     found.evidence = gather_evidence(scene, starts, evidence_ladder(amounts.most_collisions), budget, control);
-    found.risk = measure_risks(scene, starts, amounts.risk_runs, budget, control);
     OrbitStarts many = starts;
     if (many.is_random) many.count = most_starts;  // beginnings of orbits, where one orbit has too few flights
     found.drawn = draw_flights(scene, many, amounts.transient, amounts.flights, budget);
@@ -121,6 +120,7 @@ Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Am
     for (std::size_t r = 0; r < compared.arithmetics.size(); ++r)
         found.arithmetics[r].flights = compared.arithmetics[r];
     if (!found.evidence.whole || !compared.whole) found.cut_short = true;
+    found.risk = measure_risks(scene, starts, amounts.risk_runs, budget, control);
     time_all(scene, budget, control, found);
     recommend(found);
     return found;

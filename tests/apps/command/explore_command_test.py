@@ -127,8 +127,12 @@ class Page(WithRecords):
                          (str(self.folder / "b.html"), "diagram", str(self.records["diagram"])))
 
     def test_examples(self):
-        for example in examples_of("explore"):
-            made = run(example, cwd=self.folder)
+        folder = self.folder / "examples"
+        folder.mkdir()
+        examples = examples_of("explore")
+        self.assertEqual(len(examples), 2)
+        for example in examples:
+            made = run(example, cwd=folder)
             self.assertEqual(made.returncode, 0, made.stderr)
 
     @unittest.skipUnless(NODE, "node is not there (Debian's nodejs)")

@@ -1,6 +1,5 @@
 """Keywords become the flags of a command line, and what the command prints a result."""
 
-import json
 import keyword
 import os
 import sys
@@ -176,10 +175,9 @@ def run(name, what, keywords, progress=None):
     del kept
     if failure and raised is None:
         raise _error(code, failure)
-    document = json.loads(text) if text else {}
-    result = Result(name, document, record if record and os.path.exists(record.path) else None, code, tuple(messages))
+    result = Result(name, text, record if record and os.path.exists(record.path) else None, code, tuple(messages))
     if raised is not None:
-        raised.result = result if document or result.record else None
+        raised.result = result if text or result.record else None
         raise raised
     return result
 

@@ -1,6 +1,7 @@
 """What a command gives: its document with attributes, and its record as arrays and figures."""
 
 import html
+import json
 import keyword
 import os
 import reprlib
@@ -35,7 +36,7 @@ class Document:
         return bare if bare in self._data else name
 
     def __getattr__(self, name):
-        if name.startswith("__") or name == "_data":
+        if name.startswith("_"):
             raise AttributeError(name)
         own = self._name(name)
         if own not in self._data:
@@ -103,11 +104,19 @@ class Result(Document):
         Path of its record (HDF5). Without `output=` it is a temporary file, which goes with the result.
     """
 
-    __slots__ = ("command", "exit_code", "messages", "_file")
+    __slots__ = ("command", "exit_code", "messages", "_file", "_text", "_read")
 
-    def __init__(self, command, data, file, exit_code=0, messages=()):
-        super().__init__(data)
+    def __init__(self, command, text, file, exit_code=0, messages=()):
         self.command, self.exit_code, self.messages, self._file = command, exit_code, messages, file
+        self._text, self._read = text, None
+
+    @property
+    def _data(self):
+        """Read when it is first asked for: ten megabytes of it take a fifth of a second."""
+        if self._read is None:
+            self._read = json.loads(self._text) if self._text else {}
+            self._text = None
+        return self._read
 
     @property
     def record(self):
@@ -175,7 +184,7 @@ class Result(Document):
         if self._file is not None:
             with open(self._file.path, "rb") as file:
                 content = file.read()
-        return _result_from, (self.command, self._data, content, self.exit_code, self.messages)
+        return _result_from, (self.command, json.dumps(self._data), content, self.exit_code, self.messages)
 
     def __repr__(self):
         singles = [f"{k} {_short.repr(v)}" for k, v in self._data.items()
@@ -222,11 +231,11 @@ def _table(name, rows):
     return f"<details open><summary>{html.escape(name)}, {len(rows)}</summary><table><tr>{head}</tr>{body}</table>{more}</details>"
 
 
-def _result_from(command, data, content, exit_code, messages):
+def _result_from(command, text, content, exit_code, messages):
     file = None
     if content is not None:
         from . import files
         file = files.TemporaryFile(".h5")
         with open(file.path, "wb") as target:
             target.write(content)
-    return Result(command, data, file, exit_code, messages)
+    return Result(command, text, file, exit_code, messages)

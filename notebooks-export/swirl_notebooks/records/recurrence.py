@@ -20,7 +20,7 @@ if has_image:
 # %%
 kept = lengths >= int(settings["settings"]["min_diagonal"])
 if not has_lines:
-    errors = settings["standard_errors"]
+    errors = group("standard_errors").attrs
     print("estimated from random pairs; standard errors:", *(f"{name} {error:.2g}" for name, error in errors.items()))
 elif lines[kept].sum() > 0:
     mean = (lengths * lines)[kept].sum() / lines[kept].sum()

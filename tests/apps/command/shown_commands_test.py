@@ -21,11 +21,11 @@ DOCUMENTS = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for p
              if not {"build", ".git"} & set(path.relative_to(ROOT).parts)}
 #: Run by others (see above).
 ELSEWHERE = {"README.md", "docs/examples.md", "docs/tutorial.md", "docs/film-to-verdict.md"}
-#: Three times ten seconds and a diagram of 400 columns; the hundredth part of a sweep of a million runs.
-LONG = {"docs/figures/README.md", "docs/command-line.md"}
+#: Three times ten seconds and a diagram of 400 columns; the hundredth part of a sweep of a million runs; a map of 81 cells.
+LONG = {"docs/figures/README.md", "docs/command-line.md", "docs/explore.md"}
 #: What is said of a command and is none by itself: no output, or a word that stands for any.
 FRAGMENT = re.compile(r"…|\.\.\.|\[|\||\b(COMMAND|NAME|RECORD|FIGURE|FILE|SHARD)\b(?!\.csv)")
-NEEDS_OUTPUT = ("plot", "animate", "notebook", "join")
+NEEDS_OUTPUT = ("plot", "animate", "notebook", "explore", "join")
 #: Half of the time of all; their own tests run others of them.
 SLOW = ("animate", "notebook")
 

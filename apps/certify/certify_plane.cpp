@@ -5,6 +5,7 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_cells.hpp"
 #include "map/proof_check/stated_plane.hpp"
@@ -207,7 +208,7 @@ int certify_plane(CertifyOptions& options) {
     const std::string text = file || options.output.json ? document_of(options, scene, found) : std::string();
     if (file) write_certificate(*file, text);
     if (options.output.json)
-        fmt::print("{}", text);
+        print_text(text);
     else if (!options.output.quiet)
         print_plane(options, found);
     return found.whole ? exit_done : exit_interrupted;

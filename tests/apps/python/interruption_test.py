@@ -12,6 +12,8 @@ from imported import MODULES, swirl
 
 COUNT = int(sys.argv.pop(1)) if sys.argv[1:2] and sys.argv[1].isdigit() else 0
 SCENE = "swirl.Scene(sides=6, alpha=0.3, beta=0.1, mu=0.1, restitution=1)"
+#: A call that is late is tried so often again: a busy machine can hold up any, a call that does not listen is late each time.
+MORE = 4
 #: Each takes minutes.
 CALLS = {
     "sweep": "swirl.sweep(sides=6, mu=0.5, restitution=0.95, grid={'alpha': (0.2, 0.6, 50), 'beta': (0.1, 0.9, 50)}, runs=20, output='kept.h5')",
@@ -59,6 +61,12 @@ class Interruption(unittest.TestCase):
         for name, call in CALLS.items():
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 told, ended, kept = interrupted(call, folder, 0.8)
+                for _ in range(MORE):
+                    if told < 0.5 and ended < 2:
+                        break
+                    for path in Path(folder).iterdir():
+                        path.unlink()
+                    told, ended, kept = interrupted(call, folder, 0.8)
                 self.assertLess(told, 0.5, name)
                 self.assertLess(ended, 2, name)  # the interpreter's end, too
                 files = {path.name for path in Path(folder).iterdir()}

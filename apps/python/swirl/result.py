@@ -127,10 +127,28 @@ class Result(Document):
             raise ValueError(f"this result of {self.command} has no record")
         return self._file.path
 
-    def save(self, path):
-        """A copy of the record."""
+    def save(self, path, force=False):
+        """A copy of the record.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            Where to. A file that is there is replaced if it is an HDF5 file, as records are.
+        force : bool
+            Replace any file.
+
+        Raises
+        ------
+        FileExistsError
+            There is another file of that name.
+        """
         import shutil
-        shutil.copyfile(os.fspath(self), os.fspath(path))
+        path = os.fspath(path)
+        if not force and os.path.exists(path):
+            with open(path, "rb") as file:
+                if file.read(8) != b"\x89HDF\r\n\x1a\n":
+                    raise FileExistsError(f"'{path}' exists and is no record: give another name, or force=True")
+        shutil.copyfile(os.fspath(self), path)
 
     @property
     def groups(self):

@@ -4,6 +4,7 @@ import gc
 import os
 import pickle
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -18,6 +19,19 @@ class Results(unittest.TestCase):
     def setUpClass(cls):
         cls.mode = swirl.classify(PERIOD_8)
         cls.orbit = swirl.simulate(CHAOS, collisions=50)
+
+    def test_a_file_that_is_no_record_is_kept(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "notes.txt")
+            with open(path, "w") as file:
+                file.write("mine")
+            with self.assertRaisesRegex(FileExistsError, "notes.txt' exists and is no record"):
+                self.orbit.save(path)
+            with open(path) as file:
+                self.assertEqual(file.read(), "mine")
+            self.orbit.save(path, force=True)
+            self.orbit.save(path)
+            self.assertEqual(len(swirl.show(path).to_dict()["scene"]), 7)
 
     def test_keys_are_attributes(self):
         self.assertEqual((self.mode.mode, self.mode.period, self.mode.scene.alpha), ("quasi-steady", 8, 0.635))

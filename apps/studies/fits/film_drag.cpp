@@ -41,10 +41,7 @@ bool comes_near(const FilmArcs& film, const ArcPart& part, const FilmedScene& sc
 analysis::DraggedArcs drag_on(Floor floor, Frames frames, double period, const FilmArcs& arcs, const FilmedScene& scene,
                               const DishMotion& dish) {
     const auto parts_of = [&](const FilmArcs& film) {
-        std::vector<analysis::Kink> kinks;
-        for (const analysis::Kink& kink : analysis::kinks_of(film))
-            if (lines_meet(kink)) kinks.push_back(kink);
-        std::vector<ArcPart> parts = analysis::parts_between(film, kinks);
+        std::vector<ArcPart> parts = analysis::parts_between(film, meeting_kinks(film));
         std::erase_if(parts, [&](const ArcPart& part) { return comes_near(film, part, scene, dish); });
         return parts;
     };

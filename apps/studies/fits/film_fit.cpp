@@ -161,12 +161,6 @@ struct DragSearch {
     std::optional<Floor> floor;  ///< if it is known
 };
 
-std::vector<Kink> meeting_kinks(const analysis::FilmArcs& arcs) {
-    std::vector<Kink> kinks = analysis::kinks_of(arcs);
-    std::erase_if(kinks, [](const Kink& kink) { return !lines_meet(kink); });
-    return kinks;
-}
-
 /// The dish by the kinks of the arcs; false: there are too few.
 bool find_dish(FilmFit& film, const FilmedScene& scene, const Vector2d& origin) {
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};

@@ -105,6 +105,12 @@ bool lines_meet(const Kink& kink) {
     return kink.distance <= one_place && kink.time >= kink.earliest - room && kink.time <= kink.latest + room;
 }
 
+std::vector<Kink> meeting_kinks(const FilmArcs& film) {
+    std::vector<Kink> kinks = analysis::kinks_of(film);
+    std::erase_if(kinks, [](const Kink& kink) { return !lines_meet(kink); });
+    return kinks;
+}
+
 std::vector<Kink> clear_kinks(const FilmArcs& film, std::span<const Kink> kinks, const FilmedScene& scene,
                               const DishMotion& dish) {
     std::vector<Kink> clear;

@@ -53,6 +53,8 @@ std::vector<analysis::Kink> clear_kinks(const analysis::FilmArcs& film, std::spa
 
 /// The lines of a kink meet in one place, and between their frames.
 bool lines_meet(const analysis::Kink& kink);
+/// The kinks of the arcs whose lines do.
+std::vector<analysis::Kink> meeting_kinks(const analysis::FilmArcs& film);
 
 /// Each kink as an impact of the vertex that reaches farthest, whatever its use.
 std::vector<analysis::MeasuredImpact> impacts_at(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,

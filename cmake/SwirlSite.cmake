@@ -10,8 +10,10 @@ if(SWIRL_CMARK AND SWIRL_DOXYGEN AND SWIRL_NODE AND SWIRL_KATEX)
   add_custom_target(site
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/site-pages
     COMMAND swirl manual --format markdown -o ${PROJECT_BINARY_DIR}/site-pages
+    COMMAND ${SWIRL_PYTHON} -B ${PROJECT_SOURCE_DIR}/docs/site/gallery.py $<TARGET_FILE:swirl> ${PROJECT_BINARY_DIR}/site-gallery
     COMMAND ${SWIRL_PYTHON} -B ${PROJECT_SOURCE_DIR}/docs/site/build_site.py ${PROJECT_SOURCE_DIR}
       ${PROJECT_BINARY_DIR}/site-pages ${swirl_site} --doxygen ${SWIRL_DOXYGEN}
+      --gallery ${PROJECT_BINARY_DIR}/site-gallery
     DEPENDS swirl VERBATIM COMMENT "The site")
 else()
   add_custom_target(site

@@ -1,7 +1,8 @@
-"""The project's documents as a static site: build_site.py ROOT PAGES OUT [--doxygen DOXYGEN]
+"""The project's documents as a static site: build_site.py ROOT PAGES OUT [--doxygen DOXYGEN] [--gallery FOLDER]
 
 ROOT's Markdown documents, the PAGES that `swirl manual --format markdown` wrote, and the headers' pages by Doxygen, whose
-warnings are errors, go to OUT, which is made anew; index.html is the first page. Files that documents link to are copied.
+warnings are errors, go to OUT, which is made anew; index.html is the first page. Files that documents link to are copied. With a
+FOLDER that gallery.py made there is a page of figures, and the first page opens with the one in which the map runs.
 Exits 1 if a link of the site leads nowhere or a formula is none that KaTeX understands. Needs what packages.txt beside
 this lists; pages load nothing from elsewhere."""
 
@@ -21,8 +22,10 @@ import markdown_links
 HERE = Path(__file__).resolve().parent
 LINKED = re.compile(r'(<(?:a|img)\b[^>]*?\b(?:href|src)=")([^"]*)(")')
 #: The pages that a reader wants first, in this order; the others follow by name.
-FIRST = [Path(name) for name in ("README.md", "docs/install.md", "docs/tutorial.md", "docs/film-to-verdict.md", "docs/examples.md",
+FIRST = [Path(name) for name in ("README.md", "gallery/gallery.md", "docs/install.md", "docs/tutorial.md", "docs/film-to-verdict.md", "docs/examples.md",
                                  "docs/against-the-swirl.md", "docs/performance.md", "docs/python.md", "docs/library.md", "docs/command-line.md", "manual/swirl.md")]
+#: The page of figures, where --gallery gives one.
+GALLERY = Path("gallery/gallery.md")
 #: What browsers show by themselves; other files are shown as text.
 SHOWN = {".svg", ".png", ".gif", ".html"}
 
@@ -41,11 +44,13 @@ def html_of(text):
 
 
 class Site:
-    def __init__(self, root, pages, out):
-        self.root, self.pages, self.out = root, pages, out
+    def __init__(self, root, pages, out, gallery=None):
+        self.root, self.pages, self.out, self.gallery = root, pages, out, gallery
         # Source of each page: the document's path below the root, and of a page of the manual below manual/.
         self.sources = {path.relative_to(root): path for path in markdown_links.documents(root)}
         self.sources.update({Path("manual") / path.name: path for path in sorted(pages.glob("*.md"))})
+        if gallery:
+            self.sources[GALLERY] = gallery / "gallery.md"
         self.places = {source: self.place_of(source) for source in self.sources}
         self.copied = {}
 
@@ -63,7 +68,7 @@ class Site:
         for other in self.sources:
             folder = other.parts[0]
             group = ("Commands" if folder == "manual" else "Mathematics" if folder in ("map", "analysis") or other.parts[:2] == ("apps", "studies") else
-                     "Swirl" if other == Path("README.md") or other.parent == Path("docs") else "Project")
+                     "Swirl" if other in (Path("README.md"), GALLERY) or other.parent == Path("docs") else "Project")
             groups[group].append(other)
         text = ""
         for group, members in groups.items():
@@ -96,7 +101,7 @@ class Site:
 
     def copy(self, target):
         """A file, or the names in a folder, that is no document; where it stands on the site."""
-        path = self.root / target
+        path = self.gallery / target.name if self.gallery and target.parent == GALLERY.parent else self.root / target
         if target.suffix in SHOWN and path.is_file():
             place = target
             (self.out / place).parent.mkdir(parents=True, exist_ok=True)
@@ -110,9 +115,21 @@ class Site:
             (self.out / place).write_text(names or path.read_text(encoding="utf-8"), encoding="utf-8")
         return place
 
+    def with_running_map(self, body):
+        """The first page with the page in which the map runs, before its first picture."""
+        page = self.copy(GALLERY.parent / "page.html").as_posix()
+        frame = (f'<iframe class="map" src="{page}" title="A mode map of the hexagon: a click chooses a scene, whose orbit runs beside it"></iframe>\n'
+                 f'<p>A click on the map chooses a scene, whose orbit runs beside it: the collision map itself, in your browser '
+                 f'(<a href="{page}">alone on a page</a>, <a href="docs/explore.html">how it is made</a>, '
+                 f'<a href="{self.places[GALLERY].as_posix()}">more figures</a>).</p>\n')
+        before, picture, after = body.partition("<p><img")
+        return before + frame + picture + after
+
     def write(self, source):
         body = formulas.rendered(html_of(self.sources[source].read_text(encoding="utf-8")), source)
         body = LINKED.sub(lambda match: match[1] + html.escape(self.link(source, match[2])) + match[3], body)
+        if self.gallery and source == Path("README.md"):
+            body = self.with_running_map(body)
         place = self.out / self.places[source]
         place.parent.mkdir(parents=True, exist_ok=True)
         title = self.title_of(source)
@@ -190,6 +207,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     for name in ("root", "pages", "out"):
         parser.add_argument(name, type=Path)
+    parser.add_argument("--gallery", type=Path, metavar="FOLDER", help="what gallery.py made")
     parser.add_argument("--doxygen", help="the program; without it there are no pages of headers")
     arguments = parser.parse_args()
     if missing():
@@ -203,7 +221,7 @@ def main():
     if arguments.doxygen and not write_api(arguments.root.resolve(), out, arguments.doxygen):
         print("doxygen warns of a header, or failed")
         return 1
-    site = Site(arguments.root.resolve(), arguments.pages.resolve(), out)
+    site = Site(arguments.root.resolve(), arguments.pages.resolve(), out, arguments.gallery and arguments.gallery.resolve())
     wrong = write_pages(site) or dead_links(out)
     pages = len(list(out.rglob("*.html")))
     print("\n".join(wrong) if wrong else f"{len(site.sources)} pages, {pages} with those of headers: {out / 'index.html'}")

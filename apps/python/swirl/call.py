@@ -153,13 +153,20 @@ def _is_watched():
     return "ipykernel" in sys.modules or (sys.stderr is not None and sys.stderr.isatty())
 
 
+def _writes_record(own, keywords):
+    """Proven cells are a record; what else is proven is a certificate, in JSON."""
+    if own.name == "certify":
+        return keywords.get("plane") is not None and not os.fspath(keywords.get("output") or "").lower().endswith(".json")
+    return own.writes_record and keywords.get("camera") is None and keywords.get("each") is None
+
+
 def run(name, what, keywords, progress=None):
     """Runs the command; see `swirl.Result`."""
     own = command(name)
     words, kept = words_of(name, what, keywords)
     output = keywords.get("output")
     record = None
-    writes_record = own.writes_record and keywords.get("camera") is None and keywords.get("each") is None
+    writes_record = _writes_record(own, keywords)
     if writes_record and output is None:
         record = files.TemporaryFile(".h5")
         words.append(f"--output={record.path}")

@@ -59,6 +59,14 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no figure of record"):
             self.orbit.plot("lyapunov")
 
+    def test_proven_cells_are_a_record_and_a_certificate_is_none(self):
+        cells = swirl.certify(sides=6, mu=0.5, restitution=0.95, plane={"alpha": (0.3, 0.31), "beta": (0.5, 0.51)}, max_time=2,
+                              resolution=0.5)
+        self.assertEqual(cells.groups, ("cells", "depths"))
+        self.assertEqual(cells.to_xarray("cells").sizes["cell"], len(cells.to_dict()["cells"]))
+        cells.plot()
+        self.assertIsNone(swirl.certify(HEXAGON, all=True, max_time=1).record)
+
     def test_pickles_hold_the_record(self):
         again = pickle.loads(pickle.dumps(self.orbit))
         self.assertEqual(again.to_dict(), self.orbit.to_dict())

@@ -1,7 +1,7 @@
 """The C++ that documents show compiles: snippets_test.py COMPILE_COMMANDS ROOT
 
-Each block is the inside of a function, or a type, with the flags of this build; what its document takes for granted is given
-below."""
+Each block is the inside of a function, a type, or a formula of map/, with the flags of this build; what its document takes for granted is
+given below."""
 
 import json
 import re
@@ -24,6 +24,9 @@ TAKEN_FOR_GRANTED = {
                               "const std::string& version, const std::string& instruction_set"),
     "analysis/recurrence/README.md": ("#include <vector>\n", "const std::vector<double>& series"),
 }
+#: Around a formula, which stands in map/ too.
+FORMULA = ('#include "map/model/body.hpp"\n#include "map/model/flight.hpp"\n#include "map/numbers/real.hpp"\n#include <cmath>\nnamespace swirl::shown {{\n'
+           '{}}}\ntemplate double swirl::shown::{}(const swirl::Body<double>&, const swirl::Flight<double>&);')
 
 
 def snippets():
@@ -55,7 +58,8 @@ class Snippets(unittest.TestCase):
             inside = re.sub(r"^#include .*$", "", block, flags=re.M)
             is_type = re.search(r"^struct ", inside, re.M)
             function = [inside] if is_type else [f"void shown({arguments});", f"void shown({arguments}) {{", inside, "}"]
-            source = "\n".join([*included, before, *function])
+            formula = re.search(r"^template <class T>\n.* (\w+)\(const Body<T>& body, const Flight<T>& flight\) {", block, re.M)
+            source = FORMULA.format(block, formula[1]) if formula else "\n".join([*included, before, *function])
             with self.subTest(document=document):
                 result = subprocess.run([*flags(), "-fsyntax-only", "-x", "c++", "-"], input=source, capture_output=True, text=True,
                                         cwd=ROOT, timeout=300)

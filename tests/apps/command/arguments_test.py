@@ -2,7 +2,7 @@
 arguments_test.py SWIRL"""
 
 import os
-import time
+import resource
 import unittest
 
 from driving import InFolder, document, run
@@ -34,6 +34,12 @@ NUMBERS = {
     f"tradeoff {SCENE}": ["--budget"],
     f"describe {SCENE}": ["--max-time", "--alpha", "--beta", "--mu", "--restitution", "--inertia-factor"],
 }
+
+
+def seconds_of_commands():
+    """Of a processor, which other work beside them does not change."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class Arguments(InFolder):
@@ -160,7 +166,7 @@ class Arguments(InFolder):
     def test_what_never_ends_is_no_input(self):
         os.mkfifo(self.folder / "pipe")
         self.before = sorted(self.folder.iterdir())
-        begin = time.monotonic()
+        begin = seconds_of_commands()
         for source in ("/dev/zero", "/dev/urandom"):
             self.refused(f"simulate --scene {source}", source)
             self.refused(f"spectrum --series {source}", source)
@@ -173,7 +179,7 @@ class Arguments(InFolder):
         endless.write_bytes(b"# not a scene\n" * 80_000)
         self.before = sorted(self.folder.iterdir())
         self.refused("simulate --scene endless", "endless", "1 MiB")
-        self.assertLess(time.monotonic() - begin, 10)
+        self.assertLess(seconds_of_commands() - begin, 10)
 
 
 if __name__ == "__main__":

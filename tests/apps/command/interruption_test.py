@@ -43,6 +43,16 @@ COMMANDS = [
 ]
 
 
+def wait_until_caught(process, number):
+    """Until the process takes the signal: on a busy machine it takes long to start. At most a minute."""
+    begin = time.monotonic()
+    while process.poll() is None and time.monotonic() - begin < 60:
+        caught = re.search(r"^SigCgt:\s*(\w+)", Path(f"/proc/{process.pid}/status").read_text(), re.M)
+        if caught and int(caught[1], 16) >> (number - 1) & 1:
+            return
+        time.sleep(0.01)
+
+
 class Ending(InFolder):
     def end(self, command, after, number=signal.SIGINT):
         """Exit code, seconds from the signal to the end, output and errors."""
@@ -53,6 +63,7 @@ class Ending(InFolder):
             process.stdout.close()
             process.stdout = None
         time.sleep(after)
+        wait_until_caught(process, number)
         self.assertIsNone(process.poll(), f"{command} was over before it could be interrupted")
         begin = time.monotonic()
         process.send_signal(number)

@@ -46,6 +46,10 @@ Settings scene_settings(const Scene<double>& scene) {
     settings.emplace_back("restitution", scene.restitution);
     settings.emplace_back("law", std::string(name_of(scene.law)));
     settings.emplace_back("inertia_factor", scene.inertia_factor);
+    if (!scene.has_drag()) return settings;
+    settings.emplace_back("drag", scene.drag);
+    settings.emplace_back("spin_drag", scene.turning_drag());
+    settings.emplace_back("floor", std::string(name_of(scene.floor)));
     return settings;
 }
 
@@ -124,8 +128,11 @@ void write_attributes(const RecordGroup& group, const Settings& settings) {
 
 std::string scene_in_words(const Scene<double>& scene) {
     const std::string body = scene.is_disk() ? "disk" : fmt::format("{} sides", scene.sides);
-    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}", body, scene.alpha, scene.beta,
-                       scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor);
+    const std::string floor = !scene.has_drag() ? ""
+                                                : fmt::format(", {} with drag {:g}, spin drag {:g}",
+                                                              name_of(scene.floor), scene.drag, scene.turning_drag());
+    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}{}", body, scene.alpha, scene.beta,
+                       scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor, floor);
 }
 
 }  // namespace swirl::apps

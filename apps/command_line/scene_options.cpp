@@ -27,7 +27,7 @@ struct SceneName {
     std::vector<std::string> words = {};  ///< that completion offers
 };
 
-const std::array<SceneName, 12> scene_names = {{
+const std::array<SceneName, 15> scene_names = {{
     {"sides", "N: 3 to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
     {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
@@ -35,6 +35,9 @@ const std::array<SceneName, 12> scene_names = {{
     {"restitution", "e, coefficient of restitution, 0 to 1"},
     {"law", "poisson (default), newton or stronge", {"poisson", "newton", "stronge"}},
     {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
+    {"drag", "gamma, the floor's viscous drag: force -gamma (V - V_floor), in m omega_s (default 0)"},
+    {"spin-drag", "gamma_r, its torque -gamma_r I S, in omega_s (default: as --drag)"},
+    {"floor", "that drags: dish (default; it moves with the container) or table (at rest)", {"dish", "table"}},
     {"container-radius", "R_c in m; with any of these five all that you give and read is in m, s, kg"},
     {"swirl-radius", "r_s in m, instead of --beta"},
     {"swirl-rate", "omega_s in rad/s (default 1); also with --series and --angle"},
@@ -137,6 +140,18 @@ Law law_from(const std::string& text) {
     for (const Law law : {Law::poisson, Law::newton, Law::stronge})
         if (text == name_of(law)) return law;
     throw BadInput(fmt::format("law = {} is none of: poisson, newton, stronge", text));
+}
+
+Floor floor_from(const std::string& text) {
+    for (const Floor floor : {Floor::dish, Floor::table})
+        if (text == name_of(floor)) return floor;
+    throw BadInput(fmt::format("floor = {} is none of: dish, table", text));
+}
+
+void SceneOptions::refuse_drag() const {
+    throw BadInput(
+        fmt::format("drag = {}, spin-drag = {}: this command is not extended to a floor that drags; 0 is wanted",
+                    text("drag", "0"), text("spin-drag", text("drag", "0"))));
 }
 
 void SceneOptions::add_to(Flags& command) {

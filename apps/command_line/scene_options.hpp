@@ -14,6 +14,9 @@
 
 namespace swirl::apps {
 
+/// Does a command follow a body over a floor that drags? One that does not refuses such a scene.
+enum class OverFloor { refused, followed };
+
 /// The texts that were given for the scene, by the names of the flags.
 class SceneOptions {
 public:
@@ -24,10 +27,10 @@ public:
     /// no body has is noted. @throws BadInput
     void read_file(bool quiet = false);
 
-    /// The scene, every number read as a T. @throws BadInput (missing, units that are none), std::invalid_argument (out
-    /// of range)
+    /// The scene, every number read as a T. @throws BadInput (missing, units that are none, drag where it is refused),
+    /// std::invalid_argument (out of range)
     template <class T>
-    Scene<T> scene() const;
+    Scene<T> scene(OverFloor over = OverFloor::refused) const;
 
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
@@ -66,6 +69,8 @@ private:
     T ratio(const std::string& name, const std::string& length) const;
     template <class T>
     T positive(const std::string& name) const;
+    /// @throws BadInput: a command that does not follow drag
+    [[noreturn]] void refuse_drag() const;
 
     std::map<std::string, std::string> values_;
     std::map<std::string, std::string> start_;
@@ -76,6 +81,7 @@ private:
 /// "disk" or the number. @throws BadInput
 int sides_from(const std::string& text);
 Law law_from(const std::string& text);
+Floor floor_from(const std::string& text);
 
 template <class T>
 T SceneOptions::positive(const std::string& name) const {
@@ -95,7 +101,7 @@ T SceneOptions::ratio(const std::string& name, const std::string& length) const 
 }
 
 template <class T>
-Scene<T> SceneOptions::scene() const {
+Scene<T> SceneOptions::scene(OverFloor over) const {
     units();  // refuses those that are none, whether or not anything is converted
     Scene<T> scene;
     scene.sides = sides_from(required("sides", ""));
@@ -104,6 +110,13 @@ Scene<T> SceneOptions::scene() const {
     scene.mu = number_from<T>("mu", required("mu", ""));
     scene.restitution = number_from<T>("restitution", required("restitution", ""));
     if (has("law")) scene.law = law_from(values_.at("law"));
+    if (has("drag")) scene.drag = number_from<T>("drag", values_.at("drag"));
+    if (has("spin-drag")) {
+        scene.spin_drag = number_from<T>("spin-drag", values_.at("spin-drag"));
+        if (scene.spin_drag < T(0)) detail::out_of_range("spin-drag", scene.spin_drag, "0, or 1e-75 to 1000");
+    }
+    if (has("floor")) scene.floor = floor_from(values_.at("floor"));
+    if (over == OverFloor::refused && scene.has_drag()) refuse_drag();
     if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides)) return validated(scene);
     scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))
                                                  : uniform_inertia_factor<T>(scene.sides);

@@ -28,10 +28,14 @@ Scene<double> scene_of(const RecordReader& record, const std::optional<Parameter
     scene.sides = sides_from(flag_text_of(record.attribute("/scene", "sides")).value_or(""));
     for (const Parameter parameter : all_parameters) {
         const std::string name = record_name(name_of(parameter));
+        if (parameter == Parameter::drag && parameter != moved && !record.has_attribute("/scene", name)) continue;
         const bool is_told = record.has_attribute("/scene", name) || parameter != moved || values.empty();
         number_of(scene, parameter) = is_told ? record.attribute<double>("/scene", name) : values.front();
     }
     scene.law = law_from(record.attribute<std::string>("/scene", "law"));
+    if (record.has_attribute("/scene", "spin_drag")) scene.spin_drag = record.attribute<double>("/scene", "spin_drag");
+    if (record.has_attribute("/scene", "floor"))
+        scene.floor = floor_from(record.attribute<std::string>("/scene", "floor"));
     return validated(scene);
 }
 

@@ -13,10 +13,10 @@
 namespace swirl {
 
 /// The scene's numbers that can be varied continuously.
-enum class Parameter { alpha, beta, mu, restitution, inertia_factor };
+enum class Parameter { alpha, beta, mu, restitution, inertia_factor, drag };
 
-inline constexpr Parameter all_parameters[] = {Parameter::alpha, Parameter::beta, Parameter::mu, Parameter::restitution,
-                                               Parameter::inertia_factor};
+inline constexpr Parameter all_parameters[] = {Parameter::alpha,       Parameter::beta,           Parameter::mu,
+                                               Parameter::restitution, Parameter::inertia_factor, Parameter::drag};
 
 /// By the name of the command's flag.
 inline std::string_view name_of(Parameter parameter) {
@@ -31,6 +31,8 @@ inline std::string_view name_of(Parameter parameter) {
             return "restitution";
         case Parameter::inertia_factor:
             return "inertia-factor";
+        case Parameter::drag:
+            return "drag";
     }
     return "";
 }
@@ -53,9 +55,11 @@ inline T& number_of(Scene<T>& scene, Parameter parameter) {
         case Parameter::restitution:
             return scene.restitution;
         case Parameter::inertia_factor:
+            return scene.inertia_factor;
+        case Parameter::drag:
             break;
     }
-    return scene.inertia_factor;
+    return scene.drag;
 }
 
 /// The scene with another value of one parameter.
@@ -68,7 +72,8 @@ inline Scene<T> with_parameter(Scene<T> scene, Parameter parameter, const T& val
 /// A scene in another number type.
 template <class To, class From>
 inline Scene<To> scene_in(const Scene<From>& s) {
-    return {s.sides, To(s.alpha), To(s.beta), To(s.mu), To(s.restitution), s.law, To(s.inertia_factor)};
+    return {s.sides, To(s.alpha),          To(s.beta), To(s.mu),        To(s.restitution),
+            s.law,   To(s.inertia_factor), To(s.drag), To(s.spin_drag), s.floor};
 }
 
 /// ∂F/∂λ at a fixed state where the next collision is known, λ the parameter; ∂F/∂z is `derivative_by_saltation`'s. By

@@ -14,9 +14,14 @@ namespace swirl {
 /// agree.
 enum class Law { poisson, newton, stronge };
 
+/// Whose velocity a floor that drags has: the container's, or zero.
+enum class Floor { dish, table };
+
 /// Number of sides that stands for the disk (N = ∞).
 inline constexpr int disk_sides = 0;
 inline constexpr int max_sides = 1'000'000;
+/// γ and γ_r in units of ω_s: velocities fall by e in a thousandth of 1/ω_s.
+inline constexpr double largest_drag = 1000;
 
 /// A scene, in units of R_c, 1/ω_s and m.
 template <class T = double>
@@ -27,9 +32,14 @@ struct Scene {
     T mu{};           ///< friction μ, ≥ 0
     T restitution{};  ///< e, in [0, 1]
     Law law = Law::poisson;
-    T inertia_factor{};  ///< κ: I = κ m R_p², > 0
+    T inertia_factor{};         ///< κ: I = κ m R_p², > 0
+    T drag{};                   ///< γ: the floor's force −γ(V − V_f), in m ω_s, ≥ 0
+    T spin_drag = T(-1);        ///< γ_r: its torque −γ_r I S; negative: γ's value
+    Floor floor = Floor::dish;  ///< V_f
 
     bool is_disk() const { return sides == disk_sides; }
+    T turning_drag() const { return spin_drag < T(0) ? drag : spin_drag; }
+    bool has_drag() const { return drag != T(0) || turning_drag() != T(0); }
 };
 
 /// κ of the uniform lamina: (2 + cos(2π/N))/6, and ½ for the disk.
@@ -51,6 +61,11 @@ inline std::string_view name_of(Law law) {
             return "stronge";
     }
     return "";
+}
+
+/// "dish", "table".
+inline std::string_view name_of(Floor floor) {
+    return floor == Floor::dish ? "dish" : "table";
 }
 
 namespace detail {
@@ -93,6 +108,7 @@ inline void require_speed(const T& speed) {
 /// (map/README.md, "Energy in the swirling frame").
 template <class T>
 inline bool is_dissipative_without_drive(const Scene<T>& scene) {
+    if (scene.has_drag()) return false;  // the floor of a dish drives, and takes energy in flight
     if (!(scene.restitution < T(1))) return false;
     return scene.mu == T(0) || (scene.beta == T(0) && (scene.law != Law::newton || scene.is_disk()));
 }
@@ -114,6 +130,23 @@ inline Scene<T> validated(const Scene<T>& scene) {
         detail::out_of_range("restitution", scene.restitution, "0 <= restitution <= 1");
     if (!(scene.inertia_factor > T(0) && is_holdable(scene.inertia_factor)))
         detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite (1e-75 to 1e75)");
+    const T& turning = scene.turning_drag();
+    if (!(scene.drag >= T(0) && scene.drag <= T(largest_drag) && is_holdable(scene.drag)))
+        detail::out_of_range("drag", scene.drag, "0, or 1e-75 to 1000");
+    if (!(turning >= T(0) && turning <= T(largest_drag) && is_holdable(turning)))
+        detail::out_of_range("spin-drag", turning, "0, or 1e-75 to 1000");
+    return scene;
+}
+
+/// The scene, if its floor does not drag.
+///   what  that is not extended to a floor that drags, as the beginning of a sentence
+/// @throws std::invalid_argument naming what, and the drag
+template <class T>
+inline Scene<T> without_drag(const Scene<T>& scene, const char* what) {
+    if (scene.has_drag())
+        throw std::invalid_argument(std::string(what) + " is not extended to a floor that drags (drag = " +
+                                    NumberTraits<Plain<T>>::text(plain(scene.drag)) + ", spin-drag = " +
+                                    NumberTraits<Plain<T>>::text(plain(scene.turning_drag())) + "); drag 0 is wanted");
     return scene;
 }
 

@@ -12,9 +12,11 @@ enum class Outcome {
     contact_cut,  ///< in contact when it was given up, before `contact_horizon`: a motion of more than 10⁵ steps
     resting,      ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
                   ///< β = 0: the motion has decayed to rest
-    diverged,   ///< faster than 1e75 (Newton's law with friction can create energy at every impact), or the next impact
-                ///< would be no number (`is_out_of_range`)
-    unresolved  ///< a flight outlasted the step limit of the search, or no contact motion was consistent
+    diverged,  ///< faster than 1e75 (Newton's law with friction can create energy at every impact), or the next impact
+               ///< would be no number (`is_out_of_range`)
+    unresolved,  ///< a flight outlasted the step limit of the search, or no contact motion was consistent
+    riding,      ///< a dish whose floor drags: the body goes along with it and never meets the wall again (proven)
+    contact_with_drag  ///< a floor that drags: impacts die out and contact begins, which is not followed with drag yet
 };
 
 /// True if the body was on the wall at the end.
@@ -38,6 +40,10 @@ inline std::string_view name_of(Outcome outcome) {
             return "diverged";
         case Outcome::unresolved:
             return "unresolved";
+        case Outcome::riding:
+            return "riding";
+        case Outcome::contact_with_drag:
+            return "contact-with-drag";
     }
     return "";
 }

@@ -2,6 +2,8 @@
 
 #include "map/contact/contact_series.hpp"
 
+#include <cmath>
+
 namespace swirl {
 
 namespace {
@@ -14,12 +16,29 @@ Vec2<double> centre_on_wall(const ContactScene<double>& scene, const ContactStat
     return scene.body.beta * swirl + (n - scene.body.alpha * r);
 }
 
+/// In flight over a floor that drags: the lab's P = P₀ + U D(τ) + (w − h w₀)-part, (1 − h) w₀ E(τ), with U from where
+/// the flight ends.
+Moment moment_over_floor(const ContactScene<double>& scene, const TrajectorySegment& segment, double later,
+                         double lasts) {
+    const FloorDrag<double>& floor = segment.floor;
+    const Vec2<double> start = scene.body.beta * cis(segment.start);
+    const auto carried = [&](double time) {
+        return times(Vec2<double>{1 - floor.response.x, -floor.response.y}, times(start, cis_minus_one(time)));
+    };
+    const double whole = decayed_time(floor.drag, lasts);
+    const double share = whole > 0 ? decayed_time(floor.drag, later) / whole : 0;
+    const double turned = segment.spin * decayed_time(floor.spin_drag, later);
+    return {segment.from + (carried(later) + share * ((segment.to - segment.from) - carried(lasts))),
+            segment.angle + turned, segment.spin * std::exp(-floor.spin_drag * later), turned};
+}
+
 }  // namespace
 
 Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& segment, double t) {
     const double later = t - segment.start;
     if (!segment.in_contact) {
         const double lasts = segment.end - segment.start;
+        if (segment.floor.drags()) return moment_over_floor(scene, segment, later, lasts);
         const double share = lasts > 0 ? later / lasts : 0;
         const double turned = segment.spin * later;
         return {segment.from + share * (segment.to - segment.from), segment.angle + turned, segment.spin, turned};
@@ -41,7 +60,8 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
 
 TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)
     // The law plays no part between impacts.
-    : scene_(contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson)) {}
+    : scene_(contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson)),
+      floor_(floor_drag(scene)) {}
 
 ContactSink TrajectorySegmenter::sink() {
     return [this](const ContactSums<double>& sums, Support support, ContactMotion motion,
@@ -93,6 +113,7 @@ void TrajectorySegmenter::add_flight(double until, const Vec2<double>& position)
         flight.spin = spin_;
         flight.from = position_;
         flight.to = position;
+        flight.floor = floor_;
         trajectory_.push_back(flight);
     }
     time_ = until;

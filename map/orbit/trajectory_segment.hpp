@@ -1,9 +1,11 @@
 // An orbit in continuous time: where the body is and how it turns at any moment, in flight and in contact.
 //
-// Between two impacts an orbit is a row of segments: flights, on which the centre moves uniformly and S is constant,
-// and pieces of contact so short that one power series (contact_series.hpp) gives the motion to rounding.
+// Between two impacts an orbit is a row of segments: flights, on which the centre moves uniformly and S is constant
+// (over a floor that drags: in closed form, map/dragged), and pieces of contact so short that one power series
+// (contact_series.hpp) gives the motion to rounding.
 #pragma once
 
+#include "map/dragged/floor_drag.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <limits>
@@ -18,6 +20,7 @@ struct TrajectorySegment {
     double angle = 0;                   ///< vertex 0's direction at the start, unwound
     double spin = 0;                    ///< in flight: S
     Vec2<double> from, to;              ///< in flight: the centre at both ends
+    FloorDrag<double> floor;            ///< in flight: what the floor does
     Support support = Support::vertex;  ///< in contact, and so are the next two
     ContactMotion motion = ContactMotion::sticking;
     ContactState<double> state;  ///< at the start
@@ -92,14 +95,15 @@ private:
     }
     template <class T>
     static Scene<double> in_double(const Scene<T>& s) {
-        return {s.sides, number(s.alpha),         number(s.beta), number(s.mu), number(s.restitution),
-                s.law,   number(s.inertia_factor)};
+        return {s.sides, number(s.alpha),          number(s.beta), number(s.mu),        number(s.restitution),
+                s.law,   number(s.inertia_factor), number(s.drag), number(s.spin_drag), s.floor};
     }
     Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);
     void add_flight(double until, const Vec2<double>& position);
 
     ContactScene<double> scene_;
+    FloorDrag<double> floor_;
     std::vector<Look> looks_;
     std::vector<TrajectorySegment> trajectory_;
     double time_ = 0;  ///< where the next segment begins: t, centre, angle, S

@@ -26,6 +26,7 @@ using BallScene = SceneIn<Ball>;
 /// Every number is the shortest decimal that reads back to the scene's double.
 inline BallScene ball_scene(const Scene<double>& scene) {
     using intervals::decimal;
+    without_drag(scene, "a proof");
     BallScene balls;
     balls.sides = scene.sides;
     balls.law = scene.law;

@@ -5,6 +5,7 @@
 #include "map/proof/steady_cells.hpp"
 
 #include <cstddef>
+#include <stdexcept>
 
 namespace swirl::proof {
 
@@ -41,6 +42,8 @@ SceneIn<S> scene_over(const PlaneScene& plane, const cells::ParameterCell& cell,
             case Parameter::inertia_factor:
                 scene.kappa = value;
                 break;
+            case Parameter::drag:
+                throw std::invalid_argument("proven cells are not extended to a floor that drags: drag is no axis");
         }
     }
     scene.inertia = scene.kappa * square(scene.alpha);

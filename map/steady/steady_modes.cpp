@@ -248,7 +248,7 @@ void find_families(const Scene<double>& scene, const SteadyOptions& options, Ste
 }  // namespace
 
 SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& options) {
-    validated(scene);
+    without_drag(validated(scene), "the search for steady modes");
     if (!(options.longest_flight > 0 && options.longest_flight <= 1e4))
         detail::out_of_range("longest-flight", options.longest_flight, "0 < longest-flight <= 10000");
     if (options.most < 1) detail::out_of_range("most", static_cast<double>(options.most), "1 <= most");

@@ -3,6 +3,7 @@ cycles and steady modes."""
 
 from mpmath import mp, mpc, mpf
 
+import dragged
 from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
 from fixed_points import all_fixed_points, solved
@@ -46,13 +47,18 @@ def growth(state, neighbours):
 
 
 def orbit(entry):
-    """An entry of trajectories.json."""
+    """An entry of trajectories.json, or of dragged_trajectories.json."""
+    following, again = next_impact, same_impact
+    if "drag" in entry:
+        floor = dragged.floor_of(entry)
+        following = lambda scene, *rest: dragged.next_impact(scene, floor, *rest)
+        again = lambda scene, *rest: dragged.same_impact(scene, floor, *rest)
     scene, start = scene_of(entry), {key: mpf(value) for key, value in entry["initial"].items()}
     state = State(mpf(0), mpc(start["x"], start["y"]), mpc(start["vx"], start["vy"]), start["angle"], start["spin"])
     neighbours, rows, struck = nudged(state), [], None
     for _ in entry["collisions"]:
-        impact = next_impact(scene, state, struck)
-        neighbours = [same_impact(scene, neighbour, impact).after for neighbour in neighbours]
+        impact = following(scene, state, struck)
+        neighbours = [again(scene, neighbour, impact).after for neighbour in neighbours]
         state, struck = impact.after, impact.vertex
         values = dict(zip(("t", "x", "y", "vx", "vy", "angle", "spin"), state_row(state)),
                       psi=wrapped(mp.arg(impact.normal) - state.t), normal_impulse=impact.p,

@@ -120,24 +120,26 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
     found.none_exist = is_dissipative_without_drive(scene);
     if (found.none_exist) return found;
     const auto stopped = [&] { return options.control.is_stopped(); };
-    if (options.first_period == 1)
+    // Over a floor that drags fixed points are searched for as other cycles are.
+    const bool known_from_equations = !scene.has_drag();
+    if (options.first_period == 1 && known_from_equations)
         found.steady = find_steady_cycles(scene, map, options.max_time, stopped, options.control.threads,
                                           options.candidates.accuracy, found.cycles);
-    const bool searches = options.last_period > 1 || can_land(scene);
+    const bool searches = options.last_period > 1 || can_land(scene) || !known_from_equations;
     const auto trajectories =
         searches ? trajectories_of(scene, options.candidates, options.control.stop) : std::vector<CyclePoints>{};
-    const auto timed = timed_map_of(scene);
+    const auto timed = known_from_equations ? timed_map_of(scene) : analysis::TimedMap{};
     SearchProgress progress(options);
     for (int k = options.first_period; k <= options.last_period && !stopped(); ++k) {
-        if (k == 1 && !can_land(scene)) continue;
+        if (k == 1 && known_from_equations && !can_land(scene)) continue;
         PeriodWork work{scene, map, options, k, {}, progress};
         work.search.period = k;
         work.search.accept = accepted;
-        work.search.timed = &timed;
+        work.search.timed = known_from_equations ? &timed : nullptr;
         work.search.threads = options.control.threads;
         work.search.stop = options.control.stop;
         work.search.shooting.one_of_many = true;
-        if (k == 1)  // those of impacts alone are known from their equations
+        if (k == 1 && known_from_equations)  // those of impacts alone are known from their equations
             work.search.wanted = [&](const CyclePoints& points) {
                 return letter_from(map.step(points.front(), 0).letter).through_contact;
             };

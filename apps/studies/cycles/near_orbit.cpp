@@ -55,7 +55,7 @@ struct Solution {
 struct NearSearch {
     const Scene<double>& scene;
     const analysis::ShootingMap& map;
-    const analysis::TimedMap& timed;
+    const analysis::TimedMap* timed;  ///< none over a floor that drags
     Accuracy accuracy;
     Eigen::VectorXd near;
     int period;
@@ -79,7 +79,7 @@ Solution solve_from(const NearSearch& search, const CyclePoints& guess) {
             best = {points, shot.residual, distance, shot.iterations};
     };
     take(analysis::solve_shooting(search.map, guess, 0, accepted));
-    take(analysis::solve_near_grazing(search.map, search.timed, guess, 0, accepted));
+    if (search.timed != nullptr) take(analysis::solve_near_grazing(search.map, *search.timed, guess, 0, accepted));
     return best;
 }
 
@@ -170,11 +170,12 @@ FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& m
                       const SectionPoint<double>& z, int first_period, int last_period,
                       const std::function<bool()>& stop) {
     FoundOrbits found;
-    const auto timed = timed_map_of(scene);
+    const auto timed = scene.has_drag() ? analysis::TimedMap{} : timed_map_of(scene);
     const Eigen::VectorXd near = coordinates_of(z, scene.is_disk());
     analysis::KnownCycles known(map, 0, analysis::same_cycle, false);
     for (int k = first_period; k <= last_period && !stop(); ++k) {
-        const Solution best = nearest_cycle({scene, map, timed, accuracy, near, k}, stop, found);
+        const Solution best =
+            nearest_cycle({scene, map, scene.has_drag() ? nullptr : &timed, accuracy, near, k}, stop, found);
         found.iterations = best.iterations;
         found.reached = std::isfinite(best.residual) ? best.residual : std::nan("");
         if (best.points.empty()) continue;

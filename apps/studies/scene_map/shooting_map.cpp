@@ -173,6 +173,8 @@ bool is_allowed(Parameter parameter, double value) {
             return value >= 0 && value <= 1;
         case Parameter::inertia_factor:
             return value > 0 && detail::is_holdable(value);
+        case Parameter::drag:
+            return value >= 0 && value <= largest_drag && detail::is_holdable(value);
         case Parameter::beta:
         case Parameter::mu:
             break;

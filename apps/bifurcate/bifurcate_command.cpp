@@ -66,8 +66,14 @@ void BifurcateOptions::add_to(Flags& command) {
 DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRange& along) {
     SceneOptions scene = options.scene;
     scene.set(along.name, fmt::format("{:.17g}", along.low));
-    return {scene.scene<double>(), along,          options.settings,       options.start.speed(),
-            options.start.seed(),  options.starts, options.longest_branch, options.risk,
+    return {scene.scene<double>(OverFloor::followed),
+            along,
+            options.settings,
+            options.start.speed(),
+            options.start.seed(),
+            options.starts,
+            options.longest_branch,
+            options.risk,
             options.error};
 }
 

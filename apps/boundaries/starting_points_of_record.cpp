@@ -28,6 +28,9 @@ void require_same_scene(const RecordReader& record, const std::string& what, con
                           here = flag_text_of(value).value_or("?");
         if (there != here) throw BadInput(fmt::format("{} has {} = {}; the scene has {}", what, name, there, here));
     }
+    for (const char* name : {"drag", "spin_drag"})  // which scenes without have not among their settings
+        if (record.has_attribute(group, name) && record.attribute<double>(group, name) != 0)
+            throw BadInput(fmt::format("{} is of a floor that drags, to which curves are not extended", what));
 }
 
 namespace {

@@ -46,10 +46,10 @@ Settings scene_settings(const Scene<double>& scene) {
     settings.emplace_back("restitution", scene.restitution);
     settings.emplace_back("law", std::string(name_of(scene.law)));
     settings.emplace_back("inertia_factor", scene.inertia_factor);
-    if (!scene.has_drag()) return settings;
-    settings.emplace_back("drag", scene.drag);
-    settings.emplace_back("spin_drag", scene.turning_drag());
-    settings.emplace_back("floor", std::string(name_of(scene.floor)));
+    if (scene.has_drag()) settings.emplace_back("drag", scene.drag);
+    if (!(scene.spin_drag < 0)) settings.emplace_back("spin_drag", scene.spin_drag);  // else it is as drag
+    if (scene.has_drag() || scene.floor != Floor::dish)
+        settings.emplace_back("floor", std::string(name_of(scene.floor)));
     return settings;
 }
 

@@ -250,6 +250,16 @@ void require_same_plane(const RecordReader& map, const RecordReader& curves, con
     boundaries::require_same_scene(curves, fmt::format("record '{}'", file), "/scene", scene, axes);
 }
 
+/// The page's own map knows no drag.
+void require_still_floor(const RecordReader& record, const std::string& file) {
+    const bool drags = record.contains("/sweep/drag") ||
+                       text_in(attributes_in(record, "/settings"), "along") == "drag" ||
+                       text_in(scene_in(record), "drag") || text_in(attributes_in(record, "/settings"), "drag");
+    if (drags)
+        throw BadInput(
+            fmt::format("record '{}' is of a floor that drags, to which the map of a page is not extended", file));
+}
+
 }  // namespace
 
 PageData page_data(const std::vector<std::string>& files) {
@@ -259,6 +269,7 @@ PageData page_data(const std::vector<std::string>& files) {
         records.emplace_back(file);
         if (records.back().contains("/shard"))
             throw BadInput(fmt::format("record '{}' is a shard of a sweep: swirl join makes one record of all", file));
+        require_still_floor(records.back(), file);
         kinds.push_back(kind_of(records.back()));
         if (kinds.back().empty())
             throw BadInput(

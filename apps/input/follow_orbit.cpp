@@ -53,7 +53,7 @@ void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, Trajecto
 template <class T>
 void follow_in(const SceneOptions& scene_options, const StartOptions& start_options, const ImpactRange& range,
                const OutputOptions& output, OrbitColumns& columns) {
-    const Scene<T> scene = scene_options.scene<T>();
+    const Scene<T> scene = scene_options.scene<T>(OverFloor::followed);
     const Start<T> start = start_options.start<T>(scene);
     SceneOrbit<T> orbit(scene, start, baseline_of(output.accuracy()));
     std::visit(
@@ -89,7 +89,7 @@ void require_observables(const std::vector<std::string>& names, bool disk) {
 OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions& start_options,
                           const OutputOptions& output, const ImpactRange& range,
                           const std::vector<std::string>& names) {
-    const Scene<double> scene = scene_options.scene<double>();
+    const Scene<double> scene = scene_options.scene<double>(OverFloor::followed);
     OrbitColumns columns;
     columns.scene = scene_settings(scene);
     columns.start = start_settings(start_options, scene);

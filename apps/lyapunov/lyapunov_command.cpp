@@ -169,7 +169,7 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
 int lyapunov(LyapunovCommandOptions& options) {
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
-    const Scene<double> scene = options.scene.scene<double>();
+    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
     const Accuracy accuracy = options.output.accuracy();
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record = open_record(options.output, "Lyapunov spectrum of a swirled polygon",

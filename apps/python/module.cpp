@@ -80,10 +80,15 @@ public:
         if (read_.units)
             units = py::dict(py::arg("length") = read_.units->length, py::arg("time") = read_.units->time,
                              py::arg("mass") = read_.units->mass);
-        return py::dict(py::arg("sides") = sides, py::arg("alpha") = s.alpha, py::arg("beta") = s.beta,
-                        py::arg("mu") = s.mu, py::arg("restitution") = s.restitution,
-                        py::arg("law") = std::string(name_of(s.law)), py::arg("inertia_factor") = s.inertia_factor,
-                        py::arg("units") = units);
+        py::dict all(py::arg("sides") = sides, py::arg("alpha") = s.alpha, py::arg("beta") = s.beta,
+                     py::arg("mu") = s.mu, py::arg("restitution") = s.restitution,
+                     py::arg("law") = std::string(name_of(s.law)), py::arg("inertia_factor") = s.inertia_factor,
+                     py::arg("units") = units);
+        if (!s.has_drag()) return all;
+        all["drag"] = s.drag;
+        all["spin_drag"] = s.turning_drag();
+        all["floor"] = std::string(name_of(s.floor));
+        return all;
     }
 
     py::object map(const Array& z, std::int64_t steps, int threads, bool with_outcomes) const {

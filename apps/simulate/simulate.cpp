@@ -137,7 +137,7 @@ int simulate(SimulateOptions& options) {
     for (auto* time : {&options.time, &options.sample})
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
-    const Scene<double> scene = options.scene.scene<double>();
+    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
     options.output.accuracy();  // a wrong name is reported before any work
     check_start(options, scene);
     note_interruptions();

@@ -47,7 +47,7 @@ std::vector<RunColumn> run_columns() {
     return {
         {"run_mode", &RunResult::mode, "", "mode", names, modes},
         {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::chord)},
-        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::unresolved)},
+        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_with_drag)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "1", "time mean of S"},
         {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "1", "mean of S over impacts"},
@@ -78,13 +78,22 @@ void in_type_of(const RunColumn& column, const Use& use) {
 
 }  // namespace
 
+std::vector<std::string> outcome_names(std::span<const RunResult> results) {
+    const bool over_floor = std::any_of(results.begin(), results.end(), [](const RunResult& result) {
+        return result.outcome > static_cast<double>(Outcome::unresolved);
+    });
+    return names_up_to(over_floor ? Outcome::contact_with_drag : Outcome::unresolved);
+}
+
 void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,
                        std::span<const RunResult> results) {
     for (const auto& column : run_columns())
         in_type_of(column, [&]<class T>() {
             std::vector<T> values;
             for (const auto& result : results) values.push_back(static_cast<T>(result.*column.member));
-            group.write<T>(column.name, axes, values, {column.units, column.long_name, column.meanings});
+            const bool of_outcomes = column.member == &RunResult::outcome;
+            group.write<T>(column.name, axes, values,
+                           {column.units, column.long_name, of_outcomes ? outcome_names(results) : column.meanings});
         });
 }
 

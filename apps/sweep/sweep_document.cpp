@@ -248,7 +248,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     const RecordGroup settings = root.group("settings");
     write_attributes(settings, sweep.settings);
     settings.attribute("kinds", names_up_to(analysis::Kind::chord));
-    settings.attribute("outcomes", names_up_to(Outcome::unresolved));
+    settings.attribute("outcomes", outcome_names(sweep.results));
     const RecordGroup group = root.group("sweep");
     std::vector<std::string> axes;
     if (sweep.grid.front().sampled) {

@@ -2,7 +2,7 @@
 // at a cost that does not grow with N. map/dragged/README.md, "First contact".
 #pragma once
 
-#include "map/dragged/dragged_bounds.hpp"
+#include "map/dragged/direct_contact.hpp"
 #include "map/first_contact/bounds.hpp"
 #include "map/first_contact/certain_polygon.hpp"
 
@@ -243,6 +243,20 @@ template <Shape shape, class T>
 /// `no_contact` is proven.
 template <Shape shape, class T>
 void first_contact(const Body<T>& body, const DraggedFlight<T>& flight, DraggedContact<T>& contact) {
+    if (flight.start.struck && !body.short_sides) {
+        detail::DraggedRoot<T> root;
+        const T rounding = detail::rate_rounding(body, flight);
+        bool is_found = false;
+        if constexpr (shape == Shape::disk)
+            is_found = detail::direct_contact(body, flight, rounding, contact.found, root);
+        else
+            is_found = detail::direct_contact_of_vertex(body, flight, rounding, contact.found, root);
+        if (is_found) {
+            contact.moment = root.moment;
+            return;
+        }
+        contact.found = FirstContact<T>{};
+    }
     detail::certain_contact<shape>(body, flight, contact);
 }
 

@@ -5,7 +5,7 @@
 // (contact_series.hpp) gives the motion to rounding.
 #pragma once
 
-#include "map/dragged/floor_drag.hpp"
+#include "map/model/floor_drag.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <limits>

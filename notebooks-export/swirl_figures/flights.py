@@ -58,6 +58,7 @@ def _flights_of(record):
     t = column("t")
     if len(t) == 0:
         raise RecordError(f"record '{record.path}' lists no impacts: there is nothing to draw")
+    record.require_straight_flights()
     scene = record.scene()
     p, q, normal = column("impulse_normal"), column("impulse_tangential"), column("psi") + t
     chi = column("chi") if record.has("collisions", "chi") else numpy.zeros_like(t)

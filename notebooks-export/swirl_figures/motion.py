@@ -81,6 +81,7 @@ def _with_samples(record, pieces):
 
 
 def _motion_of_cycle(record, number):
+    record.require_straight_flights()
     count, orbit = record.size("orbits", "period"), number - 1
     if not 1 <= number <= count:
         raise RecordError(f"orbit = {number}: record '{record.path}' holds the orbits 1 to {count}")

@@ -142,6 +142,14 @@ class Record:
         return given
 
 
+    def require_straight_flights(self):
+        """@raises RecordError: over a floor that drags flights are no straight lines, and S falls on them."""
+        attributes = {**self.attributes("settings"), **self.attributes("scene")}
+        if attributes.get("drag", 0) or attributes.get("spin_drag", 0):
+            raise RecordError(f"record '{self.path}' is of a floor that drags, to which flights in figures are not "
+                              "extended")
+
+
 def open_record(record):
     """A Record of a path; a Record is given back."""
     return record if isinstance(record, Record) else Record(record)

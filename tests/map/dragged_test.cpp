@@ -1,6 +1,6 @@
 // Flight, first contact, the map and its derivative over a floor that drags.
 #include "map/dragged/dragged_derivative.hpp"
-#include "map/dragged/dragged_return.hpp"
+#include "map/orbit/dragged_return.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/orbit.hpp"

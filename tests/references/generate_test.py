@@ -8,6 +8,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from mpmath import mp, mpc, mpf
+
+import dragged
+import dynamics
 from row_lines import row_lines
 
 HERE = Path(__file__).resolve().parent
@@ -33,11 +37,31 @@ class Generator(unittest.TestCase):
         return {key: [document[key][n] for n in numbers]}
 
     def test_a_sample_of_each_file_is_recomputed(self):
-        for name, count in (("trajectories.json", 2), ("cycles.json", 1), ("steady_e1.json", 1),
-                            ("fixed_points.json", 2)):
+        for name, count in (("trajectories.json", 2), ("dragged_trajectories.json", 2), ("cycles.json", 1),
+                            ("steady_e1.json", 1), ("fixed_points.json", 2)):
             result = generate(HERE / name, "--check", "--sample", count, "--seed", 5)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn(f"{count} of ", result.stdout)
+
+    def test_a_flight_over_a_floor_that_drags_solves_its_equations(self):
+        """Its closed form against Taylor's method for V' = -gamma (V - V_floor), S' = -gamma_r S."""
+        for kind in ("dish", "table"):
+            scene = dynamics.Scene(3, mpf("0.4"), mpf("0.7"), 0, 1, "poisson", 1)
+            floor = dragged.Floor(mpf("0.31"), mpf("0.13"), kind)
+            start = dynamics.State(mpf("0.9"), mpc("0.2", "-0.1"), mpc("0.4", "0.8"), mpf("0.3"), mpf("-1.7"))
+
+            def rates(t, y, carries=int(kind == "dish"), floor=floor, scene=scene):
+                x, y_, vx, vy, _, spin = y
+                wind = carries * 1j * dynamics.swirl(scene, t)
+                return [vx, vy, -floor.drag * (vx - wind.real), -floor.drag * (vy - wind.imag), spin,
+                        -floor.spin_drag * spin]
+
+            first = [start.x.real, start.x.imag, start.v.real, start.v.imag, start.angle, start.spin]
+            with mp.workdps(32):
+                solved = mp.odefun(rates, start.t, first)(start.t + mpf("2.5"))
+            end = dragged.moved(scene, floor, start, mpf("2.5"))
+            for a, b in zip(solved, (end.x.real, end.x.imag, end.v.real, end.v.imag, end.angle, end.spin)):
+                self.assertLess(abs(a - b), mpf(10) ** -28)
 
     def test_a_wrong_digit_is_noticed(self):
         def in_orbit(entry):

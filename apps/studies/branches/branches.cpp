@@ -28,9 +28,10 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
     if (along.parameter) {
         const Parameter parameter = *along.parameter;
         branches.map = shooting_map_of(scene, parameter, accuracy);
-        branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
-            return scene_forms(scene, parameter, points, p);
-        };
+        if (!scene.has_drag() && parameter != Parameter::drag)  // normal forms are of the map without drag
+            branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
+                return scene_forms(scene, parameter, points, p);
+            };
         branches.options.name_border = [scene, parameter, accuracy](const auto& last, const auto& after, bool goes_on) {
             return border_name(with_parameter(scene, parameter, last.p()), last, after, goes_on, accuracy);
         };

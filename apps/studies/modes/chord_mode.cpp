@@ -247,8 +247,9 @@ void look_for_growth(const PolygonMap& map, const Scene<double>& scene, const an
                      NamedMode& named) {
     const auto& verdict = named.verdict;
     const bool settled = verdict.period > 0 && !verdict.multipliers.empty();
-    if (tail.ended || settled || scene.mu == 0 || scene.has_drag() || tail.durations.size() < chord_impacts) return;
-    if (scene.restitution == 1 && scene.beta > 0 && look_for_chord(map, scene, tail, named)) return;
+    if (tail.ended || settled || scene.mu == 0 || tail.durations.size() < chord_impacts) return;
+    if (scene.restitution == 1 && scene.beta > 0 && !scene.has_drag() && look_for_chord(map, scene, tail, named))
+        return;
     if (scene.law != Law::newton || !is_fast(scene, in_container(scene, tail.last).energy)) return;
     const std::vector<double> energies = energies_followed_on(map, scene, tail);
     if (analysis::grows_geometrically(energies)) name_created_energy(energies, impacts_before(tail, named), named);

@@ -192,7 +192,7 @@ NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const NamingOp
 }  // namespace
 
 analysis::ClassifyOptions settings_for(const Scene<double>& scene, analysis::ClassifyOptions settings) {
-    settings.conserves = scene.mu == 0 && scene.restitution == 1;
+    settings.conserves = scene.mu == 0 && scene.restitution == 1 && !scene.has_drag();
     return settings;
 }
 

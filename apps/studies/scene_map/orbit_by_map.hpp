@@ -3,6 +3,7 @@
 
 #include "apps/studies/scene_map/scene_orbit.hpp"
 #include "map/baselines/baseline_map.hpp"
+#include "map/orbit/dragged_return.hpp"
 
 #include <memory>
 #include <optional>
@@ -39,6 +40,10 @@ SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start, const st
         using Map = std::decay_t<decltype(map)>;
         orbit_ = std::visit([&](const auto& s) { return std::make_unique<OrbitByMap<Map>>(map, s); }, start);
     };
+    if (scene.has_drag()) {
+        if (search) throw std::invalid_argument("a baseline's search is not extended to a floor that drags");
+        return with_dragged_map(scene, own);
+    }
     with_collision_map(scene, [&](const auto& map) {
         using Exact = std::decay_t<decltype(map)>;
         if (!search) return own(map);

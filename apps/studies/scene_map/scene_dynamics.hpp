@@ -42,6 +42,9 @@ public:
     virtual bool goes_together_with(const SceneDynamics&) const { return false; }
     virtual void follow_together(std::span<LaneOrbit<D>>) const {}
 
+    /// ∫ S dt of the flight after z.
+    virtual double turned(const State& z, double duration) const { return z.spin * duration; }
+
     virtual Derivative through_flight(const State& z, const Step& known) const = 0;
     virtual Derivative through_kept_flight(const State& z, const KeptFlight& kept) const = 0;
     virtual analysis::Vector<D> along(const State& z, const Step& known, Parameter parameter) const = 0;
@@ -52,6 +55,9 @@ public:
 /// Dynamics in double (dynamics_in_double.hpp), compiled in scenes_in_double.cpp.
 template <Shape shape, ImpactRule rule>
 std::shared_ptr<const SceneDynamics<section_dimension<shape>>> make_dynamics_in_double(const Scene<double>& scene);
+/// Dynamics over a floor that drags (dragged_dynamics.hpp), compiled in dragged_scenes.cpp.
+template <Shape shape, ImpactRule rule>
+std::shared_ptr<const SceneDynamics<section_dimension<shape>>> make_dragged_dynamics(const Scene<double>& scene);
 /// The dynamics by another map (rounded_dynamics.hpp): CollisionMap over long double or Quad, compiled in
 /// scenes_in_extended.cpp and scenes_in_quad.cpp, or BaselineMap, in scenes_of_baselines.cpp.
 template <class Map>
@@ -61,6 +67,9 @@ std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_rounded
 // For SWIRL_EVERY_MAP in those files.
 #define SWIRL_COMPILE_DYNAMICS_IN_DOUBLE(T, SHAPE, RULE)                                                          \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> make_dynamics_in_double<SHAPE, RULE>( \
+        const Scene<double>&);
+#define SWIRL_COMPILE_DRAGGED_DYNAMICS(T, SHAPE, RULE)                                                          \
+    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> make_dragged_dynamics<SHAPE, RULE>( \
         const Scene<double>&);
 #define SWIRL_COMPILE_ROUNDED_DYNAMICS(T, SHAPE, RULE)                      \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -22,6 +23,12 @@ using Dynamics = std::shared_ptr<const SceneDynamics<D>>;
 
 template <Shape shape, ImpactRule rule>
 Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<double>& scene) {
+    if (scene.has_drag()) {
+        if (accuracy != Accuracy::double_precision)
+            throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
+                                        " is not extended to a floor that drags; double is wanted");
+        return make_dragged_dynamics<shape, rule>(scene);
+    }
     switch (accuracy) {
         case Accuracy::double_precision:
             break;
@@ -127,7 +134,7 @@ auto SceneMap<D>::linearise(const State& z, const analysis::KnownStep<State>& kn
     step.state = known.state;
     step.duration = known.duration;
     step.letter = known.letter;
-    step.integral = z.spin * known.duration;
+    step.integral = dynamics_->turned(z, known.duration);
     step.cost = 1;
     step.derivative = dynamics_->through_kept_flight(z, {known.duration, letter.vertex_step, letter.mode, known.state});
     return step;

@@ -150,8 +150,9 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
 }
 
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter, Accuracy accuracy) {
-    // Along μ there is friction, whatever this scene's own μ.
-    const Scene<double> typical = parameter == Parameter::mu ? with_parameter(scene, parameter, 1.0) : scene;
+    // Along μ there is friction, whatever this scene's own μ, and so with drag.
+    const bool may_vanish = parameter == Parameter::mu || parameter == Parameter::drag;
+    const Scene<double> typical = may_vanish ? with_parameter(scene, parameter, 1.0) : scene;
     return with_scene_map(
         typical,
         [&]<int D>(const SceneMap<D>& map) {

@@ -28,7 +28,12 @@ angle a to the wall's normal (a diameter if a = 0). A small swirl feeds those wh
 grows as (3/4 K beta^2 n)^(1/3) after n impacts, for ever) or `limit` (up to the speed v*, where S = S*). They attract if
 |pair| < 1. With e < 1 the loss of impacts balances a diameter's gain at J*.
 
+Of a floor that drags (--drag) it says what is known of that alone: on which circle a body rides along with a dish that it
+does not touch, and whether a disk on the wall rolls locked to the swirl: (gamma + kappa gamma_r) rho <= beta (on a table,
+beta sqrt(1 + gamma^2)), rho = 1 - alpha.
+
 Examples:
+  swirl describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.2
   swirl describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
   swirl describe --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1)";
 
@@ -72,12 +77,13 @@ Description description_of(const Scene<double>& scene, double max_time) {
 
 int describe(DescribeOptions& options) {
     options.scene.read_file(options.output.quiet);
-    const Scene<double> scene = options.scene.scene<double>();
+    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
     options.output.require_double("describe works in double");
     options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
     std::optional<RecordWriter> record = open_record(options.output, "What is known of a swirled polygon",
                                                      {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
+    if (scene.has_drag()) return describe_floor(options, scene, record);
     const Description d = description_of(scene, options.max_time);
     const Settings settings = {{"max_time", options.max_time},
                                {"fastest_spin", d.search.fastest_spin},

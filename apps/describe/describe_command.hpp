@@ -3,6 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "map/chords/chord_fate.hpp"
 #include "map/steady/edge_rest.hpp"
 #include "map/steady/scene_facts.hpp"
@@ -63,6 +64,10 @@ void print_description(const Description& d, const std::optional<Units>& units);
 /// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes, families, chords and rests (if there are
 /// any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
+
+/// Of a floor that drags: what is known of it alone (map/dragged/floor_facts.hpp), to the document, the table and a
+/// record, which it finishes: groups scene, settings and floor (attributes).
+int describe_floor(const DescribeOptions& options, const Scene<double>& scene, std::optional<RecordWriter>& record);
 
 int describe(DescribeOptions& options);
 

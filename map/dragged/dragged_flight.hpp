@@ -5,9 +5,9 @@
 // X the body's centre from the container's, a the arm to a vertex: a flight without drag, but for D and h.
 #pragma once
 
-#include "map/model/floor_drag.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/model/flight.hpp"
+#include "map/model/floor_drag.hpp"
 #include "map/numbers/turn.hpp"
 
 #include <cmath>

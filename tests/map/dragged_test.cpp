@@ -1,18 +1,20 @@
 // Flight, first contact, the map and its derivative over a floor that drags.
 #include "map/dragged/dragged_derivative.hpp"
-#include "map/orbit/dragged_return.hpp"
 #include "map/numbers/quad.hpp"
+#include "map/orbit/dragged_return.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/orbit.hpp"
+#include "tests/map/dragged_draw.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <string>
+#include <type_traits>
 
 namespace swirl {
 namespace {
@@ -99,49 +101,9 @@ TEST(Dragged, ReferenceOrbitsAreReproducedInQuad) {
     reproduce<Quad>({1e-24, 1e-22, HUGE_VAL}, 120 * 6);
 }
 
-/// Draws scenes and starts on the wall.
-struct Draw {
-    std::mt19937_64 bits;
-    explicit Draw(unsigned seed) : bits(seed) {}
-
-    double uniform(double low, double high) {
-        return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-    }
-    double log(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-
-    Scene<double> scene(double least_drag, double most_drag) {
-        Scene<double> scene;
-        const double shape = uniform(0, 1);
-        scene.sides = shape < 0.2   ? disk_sides
-                      : shape < 0.9 ? 3 + static_cast<int>(uniform(0, 10))
-                                    : static_cast<int>(log(13, 3000));
-        scene.alpha = uniform(0.1, 0.8);
-        scene.beta = uniform(0, 1.5);
-        scene.mu = uniform(0, 1) < 0.2 ? 0 : uniform(0, 2);
-        scene.restitution = uniform(0.3, 1);
-        scene.law = static_cast<Law>(static_cast<int>(uniform(0, 3)));
-        scene.inertia_factor = uniform_inertia_factor<double>(scene.sides);
-        scene.drag = log(least_drag, most_drag);
-        if (uniform(0, 1) < 0.5) scene.spin_drag = uniform(0, 1) < 0.2 ? 0 : log(least_drag, most_drag);
-        scene.floor = uniform(0, 1) < 0.5 ? Floor::dish : Floor::table;
-        return scene;
-    }
-    /// A state that leaves the wall; an edge's other end may be outside (`is_inside`).
-    SectionPoint<double> point(const Scene<double>& scene) {
-        SectionPoint<double> z{uniform(-3.14, 3.14), 0, 0, uniform(-1, 1), uniform(-3, 3)};
-        if (!scene.is_disk()) {
-            const double half = pi<double>() / scene.sides;
-            z.chi = uniform(-0.999, 0.999) * (half - std::asin(scene.alpha * std::sin(half)));
-        }
-        const double leaving = uniform(0, 1) < 0.2 ? log(1e-6, 1e-2) : uniform(0.01, 2);
-        z.vn = scene.alpha * z.spin * std::sin(z.chi) + scene.beta * std::sin(z.psi) - leaving;
-        return z;
-    }
-};
-
 /// As γ → 0 the map is that without drag to rounding: |F_γ − F₀| ≤ (what γ changes) + (rounding).
 TEST(Dragged, JoinsTheMapWithoutDrag) {
-    Draw draw(1);
+    tests::DraggedDraw draw(1);
     for (double drag = 1e-16; drag < 2e-3; drag *= 10) {
         double worst = 0, sum = 0;
         int count = 0;
@@ -180,7 +142,7 @@ TEST(Dragged, JoinsTheMapWithoutDrag) {
 
 /// DF by hand against differences of F in 113 bits.
 TEST(Dragged, DerivativeByHandIsThatOfDifferences) {
-    Draw draw(2);
+    tests::DraggedDraw draw(2);
     int count = 0;
     double worst = 0;
     while (count < 200) {
@@ -225,7 +187,7 @@ TEST(Dragged, DerivativeByHandIsThatOfDifferences) {
 
 /// ∂F along every parameter by Jets against differences of F in 113 bits.
 TEST(Dragged, DerivativeAlongAParameterIsThatOfDifferences) {
-    Draw draw(3);
+    tests::DraggedDraw draw(3);
     int count = 0;
     while (count < 150) {
         const Scene<double> scene = draw.scene(1e-3, 2);

@@ -1,0 +1,89 @@
+// What `swirl describe` says of a floor that drags.
+#include "apps/describe/describe_command.hpp"
+#include "apps/output/write_table.hpp"
+#include "map/dragged/floor_facts.hpp"
+#include "map/steady/scene_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+namespace swirl::apps::describe {
+
+namespace {
+
+struct DescribedFloor {
+    Scene<double> scene;
+    SceneFacts facts;
+    FloorFacts floor;
+};
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // null in JSON
+
+std::string riding_in_words(const DescribedFloor& d) {
+    const double room = d.floor.riding_room, radius = d.floor.riding_radius;
+    if (room < 0) return fmt::format("none that turns freely: 1 - alpha - {:.6g} = {:.6g}", radius, room);
+    if (d.scene.floor == Floor::table)
+        return fmt::format("rests on the table, S = 0, up to {:.6g} R_c from the swirl's centre", room);
+    return fmt::format("rides on a circle of {:.6g} R_c, S = 0, its centre up to {:.6g} R_c from the dish's", radius,
+                       room);
+}
+
+std::string locking_in_words(const DescribedFloor& d) {
+    if (!d.floor.locking_ratio) return "-";
+    if (!d.floor.locked)
+        return fmt::format("no: (gamma + kappa gamma_r) rho is {:.6g} of the swirl's most", *d.floor.locking_ratio);
+    const LockedRolling& locked = *d.floor.locked;
+    if (!locked.holds) return fmt::format("no: friction holds it from mu = {:.6g} on", locked.friction);
+    return fmt::format("yes: psi = {:.9g}, S = {:.9g}", locked.psi, locked.spin);
+}
+
+Table<DescribedFloor> floor_table() {
+    using F = Field<DescribedFloor>;
+    const auto locked = [](double LockedRolling::*member) {
+        return [member](const DescribedFloor& d) { return d.floor.locked ? (*d.floor.locked).*member : no_value; };
+    };
+    const auto widest = [](const DescribedFloor& d) { return d.scene.is_disk() ? no_value : d.facts.widest_chi; };
+    const auto ratio = [](const DescribedFloor& d) { return d.floor.locking_ratio.value_or(no_value); };
+    const auto rolls = [](const DescribedFloor& d) { return d.floor.locked && d.floor.locked->holds; };
+    return {{},
+            {F{"widest_chi", widest, "rad", "largest |chi|"}.shown("largest |chi|, chi_m", "{:.6g}"),
+             {"riding_radius", [](const DescribedFloor& d) { return d.floor.riding_radius; }, "R_c",
+              "of the circle of a body that meets the wall no more"},
+             {"riding_room", [](const DescribedFloor& d) { return d.floor.riding_room; }, "R_c",
+              "distance of that circle's centre up to which it touches nothing"},
+             F{"riding", riding_in_words, no_column}.table_only().shown("a body without impacts", "{}"),
+             {"locking_ratio", ratio, "1", "of a rolling disk's drag to the swirl's most: locked up to 1"},
+             {"rolls_locked", rolls, "1", "does a disk roll locked to the swirl?"},
+             {"locked_psi", locked(&LockedRolling::psi), "rad", "psi there"},
+             {"locked_S", locked(&LockedRolling::spin), "1", "S there"},
+             {"locked_force", locked(&LockedRolling::force), "m R_c omega_s^2", "of the wall there"},
+             {"locked_friction", locked(&LockedRolling::friction), "1", "friction that it needs"},
+             F{"locking", locking_in_words, no_column}.table_only().shown("a disk rolls locked to the swirl", "{}")}};
+}
+
+}  // namespace
+
+int describe_floor(const DescribeOptions& options, const Scene<double>& scene, std::optional<RecordWriter>& record) {
+    const DescribedFloor d{scene, scene_facts(scene), floor_facts(scene)};
+    const Settings settings = {{"accuracy", options.output.accuracy_name}};
+    if (record) {
+        write_scene(record->root(), scene);
+        write_attributes(record->root().group("settings"), settings);
+        write_attributes(record->root().group("floor"), floor_table(), d);
+        record->finish();
+    }
+    if (options.output.json)
+        print_document([&](JsonWriter& json) {
+            write_scene(json, scene, options.scene);
+            json.key("floor");
+            write_object(json, floor_table(), d);
+            write_json(json, "settings", settings);
+        });
+    else if (!options.output.quiet)
+        fmt::print("{}\n{}", scene_in_words(scene), shown_lines_of(floor_table(), d));
+    return exit_done;
+}
+
+}  // namespace swirl::apps::describe

@@ -33,7 +33,9 @@ void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, Trajecto
     const ContactSink sink = cutter.sink();
     while (orbit.impacts() < limit && orbit.advance(contact_horizon, sink)) {
         const auto& trajectory = cutter.passed(orbit, true);
-        if (const auto kept = orbit.impacts() - range.transient; kept > 1 && !orbit.contacts().empty())
+        // Over a floor that drags S and the velocity change in flight, too.
+        const bool by_segments = !orbit.contacts().empty() || cutter.floor().drags();
+        if (const auto kept = orbit.impacts() - range.transient; kept > 1 && by_segments)
             columns.contacts.push_back({static_cast<std::size_t>(kept - 2), trajectory});
         if (orbit.impacts() > range.transient) {
             const ImpactRow row = impact_row(orbit);

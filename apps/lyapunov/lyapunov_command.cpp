@@ -103,6 +103,7 @@ Table<analysis::Checkpoint> convergence_table(std::size_t exponents) {
 
 /// Why an exponent may be zero, as far as the scene tells.
 std::string_view reason_of(const Scene<double>& scene) {
+    if (scene.has_drag()) return "the summed growth stays bounded";
     if (scene.mu == 0 && scene.restitution == 1) return "J is conserved (mu = 0, e = 1)";
     if (scene.is_disk() && scene.restitution == 1) return "the disk's steady modes are a family (e = 1)";
     if (scene.is_disk() && scene.mu == 0) return "S is conserved (disk without friction)";

@@ -102,7 +102,7 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
         fly({{v[1][i], v[2][i]}, {v[3][i], v[4][i]}, v[0][i]}, until, averager);
     };
     const auto contact = [&](const TrajectorySegment& segment, double until, analysis::BinAverager<Complex>& averager) {
-        if (!segment.in_contact && segment.end > segment.start) {
+        if (!segment.in_contact && !segment.floor.drags() && segment.end > segment.start) {
             const Complex velocity = point(segment.to - segment.from) / (segment.end - segment.start);
             fly({point(segment.from), velocity, segment.start}, until, averager);
             return;
@@ -122,14 +122,18 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
     if (orbit.every > 1)
         throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
                                    orbit.every));
-    if (orbit.contacts_listed == 0) return orbit;
+    const bool over_floor = std::any_of(orbit.scene.begin(), orbit.scene.end(), [](const auto& setting) {
+        return setting.first == "drag" || setting.first == "spin_drag";
+    });
+    if (orbit.contacts_listed == 0 && !over_floor) return orbit;
     if (orbit.accuracy != "double")
         throw BadInput(
-            fmt::format("the record's orbit leads through contact in {} accuracy, and its scene is kept in "
+            fmt::format("the record's orbit leads through contact, or over a floor that drags, in {} accuracy, and its scene is kept in "
                         "double: give the scene and --accuracy instead of the record",
                         orbit.accuracy));
     signal.notes.emplace_back(
-        "the orbit leads through contact: it is followed again from the record's scene and start");
+        over_floor ? "the floor drags: the orbit is followed again from the record's scene and start"
+                   : "the orbit leads through contact: it is followed again from the record's scene and start");
     return followed_again(orbit, options.output, names);
 }
 

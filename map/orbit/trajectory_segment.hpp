@@ -60,6 +60,7 @@ public:
     }
 
     const ContactScene<double>& scene() const { return scene_; }
+    const FloorDrag<double>& floor() const { return floor_; }
     /// Refers to this object.
     ContactSink sink();
 

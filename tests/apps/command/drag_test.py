@@ -1,0 +1,165 @@
+"""--drag, --spin-drag and --floor, from outside: drag_test.py SWIRL. What follows a floor that drags, and what refuses it."""
+
+import json
+import math
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+
+from driving import document, run, without_progress
+
+HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+ELASTIC = "--sides 6 --alpha 0.3 --beta 0.8 --mu 0.3 --restitution 1"
+POINT = "--near=-0.0839,0.028,-0.5542,0.8898,-0.9793 --period 1"
+#: How a command is asked, beside its scene; none has a word on drag of its own.
+ASKED = {
+    "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
+    "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
+    "lyapunov": "--transient 50 --collisions 100", "orbits": "--max-period 1 --starts 20 --trajectories 1 --collisions 50",
+    "describe": "", "tradeoff": "--budget 1", "certify": POINT,
+    "continue": "--from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41",
+    "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
+    "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
+    "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
+}
+REFUSED = {"tradeoff", "certify", "boundaries"}
+#: Those that take no scene's flags.
+WITHOUT_SCENE = {"join", "show", "plot", "animate", "explore", "notebook", "manual", "completion", "inspect", "tour",
+                 "fit", "help"}
+
+
+class Drag(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_every_command_follows_or_refuses_it(self):
+        commands = set(re.findall(r"^  (\w+)  +\S", run("--help").stdout, re.M))
+        self.assertLessEqual(set(ASKED), commands)
+        self.assertEqual(commands - set(ASKED) - WITHOUT_SCENE, set())
+        for name, asked in ASKED.items():
+            result = run(f"{name} {HEXAGON} {asked} --drag 0.2 --quiet --json")
+            if name in REFUSED:
+                self.assertEqual((result.returncode, result.stdout), (2, ""), name)
+                lines = without_progress(result.stderr)
+                self.assertEqual(len(lines), 1, (name, result.stderr))
+                self.assertIn("drag = 0.2", lines[0], name)
+            else:
+                self.assertIn(result.returncode, (0, 3), (name, result.stderr))
+                answer = json.loads(result.stdout)
+                scene = answer.get("scene") or answer["settings"]
+                self.assertEqual((scene["drag"], scene["floor"]), (0.2, "dish"), name)
+
+    def test_axes_over_drag(self):
+        cells = document(f"sweep {HEXAGON} --grid drag=0:0.2:3 --runs 1 --transient 50 --collisions 100")["cells"]
+        self.assertEqual([cell["parameters"]["drag"] for cell in cells], [0, 0.1, 0.2])
+        columns = document(f"bifurcate {HEXAGON} --along drag=0:0.1:2 --transient 50 --collisions 100")["columns"]
+        self.assertEqual([column["parameter"] for column in columns], [0, 0.1])
+        for line in ("boundaries --plane drag=0:1 --plane beta=0.1:0.2", "certify --plane drag=0:1 --plane beta=0.1:0.2"):
+            command, axes = line.split(" ", 1)
+            result = run(f"{command} --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 {axes}")
+            self.assertEqual(result.returncode, 2, line)
+            self.assertIn("drag=0:1", result.stderr)
+
+    def test_without_drag_nothing_changes(self):
+        plain = run(f"simulate {HEXAGON} --collisions 50 --json").stdout
+        self.assertEqual(run(f"simulate {HEXAGON} --collisions 50 --drag 0 --json").stdout, plain)
+        self.assertNotIn("drag", plain)
+
+    def test_a_record_is_followed_again(self):
+        for floor in ("dish", "table"):
+            record = self.folder / f"{floor}.h5"
+            scene = f"{ELASTIC} --drag 0.02 --spin-drag 0.1 --floor {floor}"
+            self.assertEqual(run(f"simulate {scene} --collisions 300 --quiet -o {record}").returncode, 0)
+            with h5py.File(record) as file:
+                kept = dict(file["scene"].attrs)
+            self.assertEqual((kept["drag"], kept["spin_drag"]), (0.02, 0.1))
+            direct = document(f"spectrum {scene} --transient 0 --collisions 300")
+            again = document(f"spectrum {record}")
+            self.assertEqual(direct["power"], again["power"])
+
+    def test_a_scene_file_has_it(self):
+        file = self.folder / "scene.toml"
+        file.write_text("[scene]\nsides = 6\nalpha = 0.4\nbeta = 0.5\nmu = 0.5\nrestitution = 0.9\n"
+                        "drag = 0.1\nspin-drag = 0.3\nfloor = \"table\"\n")
+        found = document(f"simulate --scene {file} --collisions 10")
+        self.assertEqual([found["scene"][key] for key in ("drag", "spin_drag", "floor")], [0.1, 0.3, "table"])
+        self.assertEqual(found, document(f"simulate {HEXAGON} --drag 0.1 --spin-drag 0.3 --floor table --collisions 10"))
+
+    def test_the_spin_falls_in_flight(self):
+        """S before an impact, from the impulse, is that after the one before times exp(-gamma_r tau)."""
+        found = document(f"simulate {ELASTIC} --drag 0.05 --spin-drag 0.3 --collisions 200")["collisions"]
+        inertia = (2 + math.cos(math.pi / 3)) / 6 * 0.3 ** 2
+        for a, b in zip(found, found[1:]):
+            arm = 0.3 * math.cos(b["chi"]), 0.3 * math.sin(b["chi"])
+            before = b["spin"] - (arm[0] * b["impulse_tangential"] + arm[1] * b["impulse_normal"]) / inertia
+            self.assertAlmostEqual(before, a["spin"] * math.exp(-0.3 * b["flight_time"]), delta=1e-12)
+
+    def test_samples_between_impacts_solve_the_motion(self):
+        record = self.folder / "orbit.h5"
+        gamma, beta, step = 0.2, 0.8, 0.01
+        line = f"simulate {ELASTIC} --drag {gamma} --collisions 40 --sample {step} --quiet -o {record}"
+        self.assertEqual(run(line).returncode, 0)
+        with h5py.File(record) as file:
+            t, x, y, spin = (file[f"samples/{name}"][:] for name in ("t", "x", "y", "spin"))
+            impacts = file["collisions/t"][:]
+        place, looked, worst = x + 1j * y, 0, 0
+        for i in range(1, len(t) - 1):
+            if any(t[i - 1] <= impact <= t[i + 1] for impact in impacts):
+                continue
+            velocity = (place[i + 1] - place[i - 1]) / (2 * step)
+            force = (place[i + 1] - 2 * place[i] + place[i - 1]) / step ** 2
+            wind = 1j * beta * complex(math.cos(t[i]), math.sin(t[i]))
+            worst = max(worst, abs(force + gamma * (velocity - wind)))
+            self.assertAlmostEqual(spin[i + 1], spin[i] * math.exp(-gamma * step), delta=1e-9)
+            looked += 1
+        self.assertGreater(looked, 500)
+        self.assertLess(worst, 1e-4)  # of second order in the step: x''' step^2/6
+
+    def test_endings_have_names(self):
+        rides = document("simulate --sides 6 --alpha 0.3 --beta 0.4 --mu 0.5 --restitution 0.9 --drag 1 --x 0", 3)
+        self.assertEqual(rides["outcome"], "riding")
+        disk = document("simulate --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.1 "
+                        "--collisions 10000", 3)
+        self.assertEqual(disk["outcome"], "contact-with-drag")
+
+    def test_describe_says_what_is_known(self):
+        floor = document("describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
+        ratio = (0.2 + 0.5 * 0.2) * 0.6 / 0.5
+        self.assertAlmostEqual(floor["locking_ratio"], ratio, delta=1e-15)
+        self.assertTrue(floor["rolls_locked"])
+        self.assertAlmostEqual(floor["locked_S"], -1.5, delta=1e-15)
+        self.assertAlmostEqual(floor["riding_radius"], 0.5 / math.sqrt(1.04), delta=1e-15)
+        fast = document("describe --sides disk --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
+        self.assertFalse(fast["rolls_locked"])
+
+    def test_a_cycle_is_found_and_continued(self):
+        """The hexagon's steady mode goes on from gamma = 0."""
+        found = document(f"continue {HEXAGON} --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along drag=0:0.02")
+        points = found["branches"][0]["points"]
+        values = [point["parameter"] for point in points]
+        self.assertAlmostEqual(min(values), 0, delta=1e-9)
+        self.assertGreater(max(values), 0)
+        middle = points[len(points) // 2]
+        section = middle["points"][0] if "points" in middle else middle["point"]
+        near = ",".join(repr(section[key]) for key in ("psi", "chi", "vn", "vt", "S"))
+        orbits = document(f"orbits {HEXAGON} --drag {middle['parameter']!r} --near={near} --period 1")["orbits"]
+        self.assertEqual(len(orbits), 1)
+        for key in ("psi", "chi", "vn", "vt", "S"):
+            self.assertAlmostEqual(orbits[0]["points"][0][key], section[key], delta=1e-9)
+
+    def test_wrong_values_are_named(self):
+        for flags, word in (("--drag -1", "drag = -1"), ("--drag 1e4", "drag = 10000"), ("--drag x", "drag"),
+                            ("--drag 0.1 --spin-drag -2", "spin-drag = -2"), ("--drag 0.1 --floor sea", "floor = sea"),
+                            ("--drag 0.1 --accuracy paper", "drag")):
+            result = run(f"simulate {HEXAGON} --collisions 5 {flags}")
+            self.assertEqual(result.returncode, 2, flags)
+            self.assertIn(word, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -2,11 +2,10 @@
 // is the first, as without drag (map/first_contact/direct_polygon.hpp, certain_disk.hpp).
 #pragma once
 
-#include "map/dragged/dragged_bounds.hpp"
+#include "map/dragged/dragged_proofs.hpp"
 #include "map/first_contact/certificate.hpp"
 #include "map/first_contact/circle_path.hpp"
 #include "map/first_contact/direct_polygon.hpp"
-#include "map/first_contact/vertex_proofs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,13 +103,21 @@ template <Shape shape, class T>
     moment.spin_decay = moment.spin_decay - spin_lost * moment.spin_decay;
 }
 
-/// What is found: a moment so close to a root that `correction`, the way left, needs no further look.
+/// A guess where the start's derivatives do not tell: the circle's gap against that at the start is sampled, first at
+/// 1/32, from ¼ on four times per radian, up to its change of sign. −1 if it stays negative.
 template <class T>
-struct DraggedRoot {
-    DraggedInstant<T> moment;
-    Gap<T> gap;
-    T correction{};
-};
+[[gnu::noinline]] T sampled_guess(const DraggedFlight<T>& flight) {
+    T before(0), last(0);
+    for (T time = T(1.0 / 32); time < T(longest_guess); time = time < T(0.25) ? T(2) * time : T(time + T(0.25))) {
+        const DraggedInstant<T> moment = dragged_instant<Shape::disk>(flight, time);
+        const Vec2<T>& moved = moment.at.moved;
+        const T gap = T(2) * dot(flight.start.centre, moved) + dot(moved, moved);
+        if (gap > 0) return time - (time - last) * gap / (gap - before);
+        before = gap;
+        last = time;
+    }
+    return T(-1);
+}
 
 /// A root of the centre's gap from a guess. False if none is found.
 template <class T>
@@ -135,10 +142,14 @@ template <class T>
                                                   const T& rounding, FirstContact<T>& found, DraggedRoot<T>& root) {
     const CircleGap<T> start = gap_at_start(flight);
     if (!(start.rate < -rounding)) return false;  // it may not leave at all
-    if (!seek_disk_root(body, flight, return_guess(start), found.steps, root)) return false;
+    if (!seek_disk_root(body, flight, return_guess(start), found.steps, root)) {
+        found.steps = 0;
+        if (!seek_disk_root(body, flight, sampled_guess(flight), found.steps, root)) return false;
+    }
     Gap<T> end = gap_after(root.gap, root.correction);
     end.value = T(0);
-    if (!clear_between<T>(start, end, T(root.moment.at.time + root.correction), centre_sixth(body, flight)))
+    if (!circle_clear<T>(body, flight, start, end, T(0), T(root.moment.at.time + root.correction),
+                         centre_sixth(body, flight), most_halvings))
         return false;
     advance<Shape::disk>(flight, root.correction, root.moment);
     found.outcome = FirstContactOutcome::contact;
@@ -200,6 +211,23 @@ template <class T>
                             curvature, in, slack);
 }
 
+/// Where the search for the vertex begins: the centre back at its first distance, from a guess.
+template <class T>
+[[gnu::always_inline]] inline bool moment_of_return(const DraggedFlight<T>& flight, const T& guess,
+                                                    DraggedInstant<T>& moment) {
+    using std::fabs;
+    if (!(guess > 0 && guess <= T(longest_guess))) return false;
+    const DraggedInstant<T> near = dragged_instant<Shape::disk>(flight, guess);  // the circle needs no vertex
+    const Vec2<T>&moved = near.at.moved, &centre = near.at.centre, &drift = near.at.drift;
+    const Gap<T> circle{T(2) * dot(flight.start.centre, moved) + dot(moved, moved), T(2) * dot(centre, drift),
+                        T(2) * (dot(drift, drift) + dot(centre, near.acceleration)),
+                        T(2) * (T(3) * dot(drift, near.acceleration) + dot(centre, near.jerk))};
+    const T closer = householder(circle);
+    if (!(fabs(closer) <= T(longest_step) && guess + closer > 0)) return false;
+    moment = dragged_instant<Shape::polygon>(flight, T(guess + closer));
+    return true;
+}
+
 /// The usual flight of a polygon: the circle's return leads to the vertex.
 template <class T>
 [[gnu::always_inline]] inline bool direct_contact_of_vertex(const Body<T>& body, const DraggedFlight<T>& flight,
@@ -209,18 +237,14 @@ template <class T>
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rounding)) return false;  // it may not leave at all
     const CircleGap<T> start = gap_at_start(flight);
-    const T guess = return_guess(start);
-    if (!(guess > 0 && guess <= T(longest_guess))) return false;
-    const DraggedInstant<T> near = dragged_instant<Shape::disk>(flight, guess);  // the circle needs no vertex
-    Gap<T> circle = centre_gap(body, flight, near);
-    circle.value = T(2) * dot(flight.start.centre, near.at.moved) + dot(near.at.moved, near.at.moved);
-    const T closer = householder(circle);
-    if (!(fabs(closer) <= T(longest_step) && guess + closer > 0)) return false;
-    root.moment = dragged_instant<Shape::polygon>(flight, T(guess + closer));
+    if (!moment_of_return(flight, return_guess(start), root.moment) &&
+        !moment_of_return(flight, sampled_guess(flight), root.moment))
+        return false;
     Candidate<T> nearest;
     if (!seek_vertex(body, flight, found.steps, nearest, root)) return false;
-    if (!clear_by_circumcircle(body, flight, start, struck, nearest, root)) return false;
+    const bool is_clear = clear_by_circumcircle(body, flight, start, struck, nearest, root);
     advance<Shape::polygon>(flight, root.correction, root.moment);
+    if (!is_clear && !clear_by_derivatives(body, flight, start, struck, nearest, root.moment)) return false;
     found.outcome = FirstContactOutcome::contact;
     found.vertex = nearest.vertex;
     found.arm = body.turned_to_vertex(root.moment.at.arm, nearest.vertex);

@@ -42,7 +42,8 @@ SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start, const st
     };
     if (scene.has_drag()) {
         if (search) throw std::invalid_argument("a baseline's search is not extended to a floor that drags");
-        return with_dragged_map(scene, own);
+        with_dragged_map(scene, own);
+        return;
     }
     with_collision_map(scene, [&](const auto& map) {
         using Exact = std::decay_t<decltype(map)>;

@@ -55,6 +55,11 @@ class Scene:
         omega_s in rad/s.
     mass : float, optional
         m in kg.
+    drag, spin_drag : float, optional
+        gamma and gamma_r of a floor that drags, in omega_s: force -gamma (V - V_floor), torque -gamma_r I S; 0, and as `drag`,
+        by default.
+    floor : {"dish", "table"}, optional
+        Whether that floor moves with the container (the default) or is at rest.
 
     Raises
     ------
@@ -69,10 +74,12 @@ class Scene:
     __slots__ = ("_texts", "_scene", "_values")
 
     def __init__(self, sides=None, alpha=None, beta=None, mu=None, restitution=None, law="poisson", inertia_factor=None,
-                 *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None):
+                 *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None,
+                 drag=None, spin_drag=None, floor=None):
         given = {"sides": sides, "alpha": alpha, "beta": beta, "mu": mu, "restitution": restitution, "law": law,
                  "inertia_factor": inertia_factor, "container_radius": container_radius, "swirl_radius": swirl_radius,
-                 "swirl_rate": swirl_rate, "polygon_radius": polygon_radius, "mass": mass}
+                 "swirl_rate": swirl_rate, "polygon_radius": polygon_radius, "mass": mass,
+                 "drag": drag, "spin_drag": spin_drag, "floor": floor}
         self._read([f"--{name.replace('_', '-')}={text_of(value)}" for name, value in given.items() if value is not None])
 
     def _read(self, words):
@@ -141,6 +148,21 @@ class Scene:
         return self._values["inertia_factor"]
 
     @property
+    def drag(self):
+        """gamma, in omega_s."""
+        return self._values.get("drag", 0.0)
+
+    @property
+    def spin_drag(self):
+        """gamma_r, in omega_s."""
+        return self._values.get("spin_drag", 0.0)
+
+    @property
+    def floor(self):
+        """`dish` or `table`; None of a floor that does not drag."""
+        return self._values.get("floor")
+
+    @property
     def units(self):
         """{"length", "time", "mass"} in m, s and kg; None of a scene without units."""
         return self._values["units"] and dict(self._values["units"])
@@ -177,8 +199,8 @@ class Scene:
             NaN where there is no such impact.
         outcome : ndarray of int8, shape (n,); a word of one state
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
-            "contact-cut-short", "resting", "diverged", "unresolved", and "not-leaving" of what is no state just after an
-            impact: u_n > 0, or a vertex outside.
+            "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
+            impact (u_n > 0, or a vertex outside), and of a floor that drags "riding" and "contact-with-drag".
 
         Notes
         -----

@@ -20,6 +20,12 @@ namespace {
 constexpr std::size_t rows_together = 1024;      // of one task: some 0.1 ms
 constexpr std::int64_t steps_between = 100'000;  // of all rows of a task, from look to look: some 10 ms
 
+/// Codes stay what they are as endings are added: those of a floor that drags come after `not_leaving`.
+std::uint8_t code_of(Outcome outcome) {
+    const auto number = static_cast<std::uint8_t>(outcome);
+    return number < not_leaving ? number : static_cast<std::uint8_t>(number + 1);
+}
+
 template <int D>
 class FunctionOfDimension final : public SceneFunction {
 public:
@@ -124,7 +130,7 @@ private:
             State& end = orbits[i].z;
             // `count` is what is left: of an orbit that went on alone, or ended.
             const Outcome outcome = follow_alone(end, orbits[i].count, stop);
-            outcomes[row] = static_cast<std::uint8_t>(outcome);
+            outcomes[row] = code_of(outcome);
             outcome == Outcome::completed ? put(end, image.subspan(row * D, D))
                                           : put_nothing(image.subspan(row * D, D));
         }
@@ -164,7 +170,7 @@ private:
         State state = Map::state_at(row_of(z));
         const Outcome outcome = follow_alone(state, steps, stop);
         outcome == Outcome::completed ? put(state, image) : put_nothing(image);
-        return static_cast<std::uint8_t>(outcome);
+        return code_of(outcome);
     }
 
     std::uint8_t derivative_of_row(std::span<const double> z, std::span<double> image,
@@ -174,13 +180,13 @@ private:
         if (!is_leaving(z)) return not_leaving;
         const State state = Map::state_at(row_of(z));
         const ReturnStep<double> step = map_.return_step(state);
-        if (step.outcome != Outcome::completed) return static_cast<std::uint8_t>(step.outcome);
+        if (step.outcome != Outcome::completed) return code_of(step.outcome);
         put(step.collision.after, image);
         const analysis::Matrix<D> by_column =
             step.contacts.empty() ? map_.through_flight(state, step) : map_.through_contact(section_point(state), step);
         for (int i = 0; i < D; ++i)
             for (int j = 0; j < D; ++j) derivative[static_cast<std::size_t>(i * D + j)] = by_column(i, j);
-        return static_cast<std::uint8_t>(Outcome::completed);
+        return code_of(Outcome::completed);
     }
 
     Map map_;
@@ -190,8 +196,10 @@ private:
 
 std::vector<std::string_view> outcome_names() {
     std::vector<std::string_view> names;
-    for (std::uint8_t code = 0; code < not_leaving; ++code) names.push_back(name_of(static_cast<Outcome>(code)));
-    names.push_back("not-leaving");
+    for (int number = 0; number <= static_cast<int>(Outcome::contact_with_drag); ++number) {
+        if (number == not_leaving) names.push_back("not-leaving");
+        names.push_back(name_of(static_cast<Outcome>(number)));
+    }
     return names;
 }
 

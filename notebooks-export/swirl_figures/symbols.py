@@ -13,6 +13,8 @@ _PARAMETERS = {
     "mu": ("μ", r"$\mu$  (friction)"),
     "restitution": ("e", r"$e$  (restitution)"),
     "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
+    "drag": ("γ", r"$\gamma/\omega_s$  (drag of the floor)"),
+    "spin_drag": ("γ_r", r"$\gamma_r/\omega_s$  (drag of the floor on the spin)"),
     "sides": ("N", r"$N$  (number of sides)"),
     "law": ("law", "impact law"),
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
@@ -102,4 +104,9 @@ def scene_title(scene, leave_out=()):
         known = "sides" in scene and "sides" not in left_out
         if not known or abs(inertia - _uniform_inertia(scene["sides"])) > 1e-9:
             parts.append(f"κ = {number(inertia)}")
+    for name in ("drag", "spin_drag"):
+        if name in scene and name not in left_out:
+            parts.append(f"{symbol(name)} = {number(scene[name])}")
+    if scene.get("floor") == "table":
+        parts.append("on a table")
     return ", ".join(parts)

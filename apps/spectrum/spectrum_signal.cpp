@@ -128,7 +128,8 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
     if (orbit.contacts_listed == 0 && !over_floor) return orbit;
     if (orbit.accuracy != "double")
         throw BadInput(
-            fmt::format("the record's orbit leads through contact, or over a floor that drags, in {} accuracy, and its scene is kept in "
+            fmt::format("the record's orbit leads through contact, or over a floor that drags, in {} accuracy, and its "
+                        "scene is kept in "
                         "double: give the scene and --accuracy instead of the record",
                         orbit.accuracy));
     signal.notes.emplace_back(

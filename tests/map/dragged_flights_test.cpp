@@ -10,6 +10,7 @@
 #include <complex>
 #include <cstdio>
 #include <limits>
+#include <type_traits>
 
 namespace swirl {
 namespace {

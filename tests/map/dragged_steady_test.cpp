@@ -14,6 +14,7 @@
 #include <complex>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 
 namespace swirl {
 namespace {

@@ -20,7 +20,7 @@ struct DescribedFloor {
     FloorFacts floor;
 };
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // null in JSON
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();  // null in JSON
 
 std::string riding_in_words(const DescribedFloor& d) {
     const double room = d.floor.riding_room, radius = d.floor.riding_radius;
@@ -43,10 +43,10 @@ std::string locking_in_words(const DescribedFloor& d) {
 Table<DescribedFloor> floor_table() {
     using F = Field<DescribedFloor>;
     const auto locked = [](double LockedRolling::*member) {
-        return [member](const DescribedFloor& d) { return d.floor.locked ? (*d.floor.locked).*member : no_value; };
+        return [member](const DescribedFloor& d) { return d.floor.locked ? (*d.floor.locked).*member : absent; };
     };
-    const auto widest = [](const DescribedFloor& d) { return d.scene.is_disk() ? no_value : d.facts.widest_chi; };
-    const auto ratio = [](const DescribedFloor& d) { return d.floor.locking_ratio.value_or(no_value); };
+    const auto widest = [](const DescribedFloor& d) { return d.scene.is_disk() ? absent : d.facts.widest_chi; };
+    const auto ratio = [](const DescribedFloor& d) { return d.floor.locking_ratio.value_or(absent); };
     const auto rolls = [](const DescribedFloor& d) { return d.floor.locked && d.floor.locked->holds; };
     return {{},
             {F{"widest_chi", widest, "rad", "largest |chi|"}.shown("largest |chi|, chi_m", "{:.6g}"),

@@ -11,6 +11,7 @@
 #include "map/numbers/turn.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace swirl {
 
@@ -42,17 +43,34 @@ struct DraggedInstant {
     T spin{};                    ///< S
 };
 
+/// e^y − 1 for y ≤ 0: in double down to −½ by Taylor's polynomial, whose first term left out is below 2⁻⁵³ of the sum
+/// and which takes a third of the library's time.
+template <class T>
+[[gnu::always_inline]] inline T lost_until(const T& y) {
+    using std::expm1;
+    if constexpr (std::is_same_v<T, double>) {
+        if (y >= -0.5) {
+            const double y2 = y * y, y4 = y2 * y2, y8 = y4 * y4;
+            const double low = (1 + y * 0.5) + y2 * (1.0 / 6 + y * (1.0 / 24));
+            const double middle = (1.0 / 120 + y * (1.0 / 720)) + y2 * (1.0 / 5040 + y * (1.0 / 40320));
+            const double high = (1.0 / 362880 + y * (1.0 / 3628800)) + y2 * (1.0 / 39916800 + y * (1.0 / 479001600)) +
+                                y4 * (1.0 / 6227020800 + y * (1.0 / 87178291200));
+            return y * (low + (y4 * middle + y8 * high));
+        }
+    }
+    return expm1(y);
+}
+
 /// e^{−rate τ} − 1 of both rates at once where they are equal, as they are by default.
 template <class T>
 [[gnu::always_inline]] inline void decay_until(const FloorDrag<T>& floor, const T& time, DraggedInstant<T>& moment) {
-    using std::expm1;
     const auto decay = [&time](const T& rate, T& length, T& left) {
         if (!(rate > T(0))) {
             length = time;
             left = T(1);
             return;
         }
-        const T lost = expm1(T(-rate * time));
+        const T lost = lost_until(T(-rate * time));
         length = -lost / rate;
         left = T(1) + lost;
     };

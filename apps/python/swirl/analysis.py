@@ -13,6 +13,7 @@ continuation with special points located to rounding, QR of the derivatives.
 
 import dataclasses
 import inspect
+import operator
 
 import numpy as np
 
@@ -92,9 +93,7 @@ class Map:
     """
 
     def __init__(self, function, jacobian=None, *, dimension, parameter_jacobian=None, angles=None):
-        self.dimension = int(dimension)
-        if self.dimension < 1:
-            raise ValueError(f"dimension = {dimension} is outside its range: 1 or more")
+        self.dimension = _whole("dimension", dimension, 1)
         self.has_parameter = _takes_two(function)
         self._function, self._jacobian, self._by_parameter = (
             one if one is None or _takes_two(one) else (lambda z, p, one=one: one(z)) for one in (function, jacobian, parameter_jacobian))
@@ -127,14 +126,29 @@ class Map:
         h = np.cbrt(np.finfo(float).eps) * max(1, abs(p))
         return ((self(z, p + h) - self(z, p - h)) / (2 * h)).reshape(self.dimension, 1)
 
+    def _state(self, name, z):
+        """A state that the user gives; a number is one of a map of one coordinate."""
+        state = np.atleast_1d(np.asarray(z, dtype=float))
+        if state.shape != (self.dimension,):
+            raise ValueError(f"{name} has the shape {np.shape(z)}; ({self.dimension},) is wanted")
+        return state
+
+    def _states(self, name, z):
+        """States that the user gives, shape (n, d); one state is a row."""
+        states = np.atleast_2d(np.asarray(z, dtype=float))
+        if states.ndim != 2 or states.shape[1] != self.dimension:
+            raise ValueError(f"{name} has the shape {np.shape(z)}; (n, {self.dimension}) is wanted")
+        return states
+
     def _step(self, z, p):
         z = np.ravel(z)
         return self(z, p), self.derivative(z, p), self._slope(z, p)
 
     def orbit(self, z, steps, parameter=0.0):
         """z, F(z), …: ndarray of shape (steps + 1, d); NaN once the map has ended."""
+        steps = _whole("steps", steps, 0)
         orbit = np.full((steps + 1, self.dimension), np.nan)
-        orbit[0] = z
+        orbit[0] = self._state("z", z)
         with np.errstate(all="ignore"):
             for i in range(steps):
                 orbit[i + 1] = self(orbit[i], parameter)
@@ -164,14 +178,17 @@ class Map:
         -----
         There may be others. Source: analysis/cycles/README.md.
         """
+        period = _whole("period", period, 1)
+        if not accept > 0:
+            raise ValueError(f"accept = {accept} is outside its range: above 0")
         if starts is None:
             starts = np.random.default_rng(seed).normal(size=(200, self.dimension))
         candidates = []
-        for start in np.atleast_2d(np.asarray(starts, dtype=float)):
+        for start in self._states("starts", starts):
             points = self.orbit(start, period - 1, parameter)
             if np.isfinite(points).all():
                 candidates.append(list(points))
-        found = self._own.cycles(candidates, float(parameter), int(period), float(accept))
+        found = self._own.cycles(candidates, float(parameter), period, float(accept))
         return [Cycle(_points(one), float(parameter), np.array(one["multipliers"]), one["stability"], one["residual"]) for one in found]
 
     def continue_(self, cycle, between, parameter=None, longest_step=0.02, switch=0):
@@ -200,14 +217,16 @@ class Map:
         """
         if not self.has_parameter:
             raise ValueError("the map has no parameter: give a function of (z, p)")
-        points = cycle.points if isinstance(cycle, Cycle) else np.atleast_2d(np.asarray(cycle, dtype=float))
+        points = cycle.points if isinstance(cycle, Cycle) else self._states("cycle", cycle)
         p = cycle.parameter if parameter is None and isinstance(cycle, Cycle) else parameter
         if p is None:
             raise ValueError("parameter is missing: that of the cycle")
         low, high = map(float, between)
         if not low <= p <= high:
             raise ValueError(f"parameter = {p:g} is outside `between`: {low:g} to {high:g}")
-        found = self._own.branches(list(points), float(p), low, high, float(longest_step), int(switch))
+        if not longest_step > 0:
+            raise ValueError(f"longest_step = {longest_step} is outside its range: above 0")
+        found = self._own.branches(list(points), float(p), low, high, float(longest_step), _whole("switch", switch, 0))
         return [Branch(one["period"], [_of(BranchPoint, point) for point in one["points"]],
                        [_of(SpecialPoint, point, kind=point["kind"]) for point in one["special"]], one["parent"]) for one in found]
 
@@ -216,9 +235,20 @@ class Map:
 
         Source: G. Benettin et al., Meccanica 15 (1980) 9; analysis/lyapunov/README.md.
         """
-        found = self._own.exponents(np.asarray(z, dtype=float).reshape(self.dimension), float(parameter), int(steps), int(transient))
+        found = self._own.exponents(self._state("z", z), float(parameter), _whole("steps", steps, 1), _whole("transient", transient, 0))
         return Exponents(found["outcome"], found["steps"],
                          *(np.array(found[name]) for name in ("exponents", "standard_errors", "weighted_exponents")))
+
+
+def _whole(name, value, least):
+    """A whole number, `least` or more."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name} = {value!r} is no whole number") from None
+    if number < least:
+        raise ValueError(f"{name} = {number} is outside its range: {least} or more")
+    return number
 
 
 def _points(found):

@@ -2,11 +2,12 @@
 
 import keyword
 import os
+import reprlib
 import sys
 
 from . import _swirl, files, series
 from .result import Result
-from .scene import Scene, text_of
+from .scene import Scene, text_of, text_of_argument
 
 #: Flags that are no keywords: a document is what functions give.
 LEFT_OUT = ("--json", "--help")
@@ -59,26 +60,56 @@ def _is_several(value):
     return not isinstance(value, (str, bytes, os.PathLike, dict, Result)) and hasattr(value, "__iter__")
 
 
-def _single(option, value, kept):
-    """One value as text; files that must live until the command ends are added to `kept`."""
+class Given:
+    """A value that the command knows as a text: how a refusal names that, and how it is to name the value."""
+
+    def __init__(self, shell, key, value):
+        self.shell, self.python = shell, f"{key} = {reprlib.repr(value)}"
+
+    def in_own_words(self, text):
+        if self.shell not in text:
+            return text
+        text = text.replace(self.shell, self.python)
+        for shell, python in (("NAME=A:B:COUNT:log", "{NAME: (A, B, COUNT, 'log')}"), ("NAME=A:B:COUNT", "{NAME: (A, B, COUNT)}"),
+                              ("NAME=V,V,...", "{NAME: [V, V, ...]}"), ("NAME=A:B", "{NAME: (A, B)}")):
+            text = text.replace(shell, python)
+        return text
+
+
+def _single(key, option, value, kept):
+    """One value as text; files that must live until the command ends, and what its words mean, are added to `kept`."""
     if isinstance(value, Result):
         kept.append(value)
         return os.fspath(value)
     if isinstance(value, dict):
         if len(value) != 1:
-            raise ValueError(f"{option['flags'][-1]} takes one name with its range, {{'alpha': (0.1, 0.9)}}")
+            raise ValueError(f"{key} takes one name with its range, {{'alpha': (0.1, 0.9)}}")
         (name, values), = value.items()
-        return f"{name}={_range_text(values)}"
+        shape = getattr(values, "shape", None)
+        if shape is not None and (len(shape) > 1 or shape == (0,)):
+            raise ValueError(f"{key}[{name!r}] has the shape {shape}; (n,) is wanted")
+        try:
+            text = f"{name}={_range_text(values)}"
+        except ValueError as error:
+            raise ValueError(f"{key}[{name!r}]: {error}") from None
+        kept.append(Given(f"{option['flags'][-1].lstrip('-')} {text}", key, value))
+        return text
     if option["value"].startswith("FILE") and series.is_table(value):
-        table = series.TemporaryTable(value)
+        table = series.TemporaryTable(value, key)
         kept.append(table)
         return table.path
     if _is_several(value):
-        return ",".join(text_of(one) for one in (value.tolist() if hasattr(value, "tolist") else value))
-    return text_of(value)
+        values = value.tolist() if hasattr(value, "tolist") else list(value)
+        if not values:
+            raise ValueError(f"{key} is empty: a value is wanted, {option['help']}")
+        text = ",".join(text_of_argument(key, one) for one in values)
+        if option["flags"]:
+            kept.append(Given(f"{option['flags'][-1]} = '{text}'", key, value))
+        return text
+    return text_of_argument(key, value)
 
 
-def _words(option, value, kept):
+def _words(key, option, value, kept):
     """The words of one option."""
     if value is None:
         return []
@@ -91,11 +122,11 @@ def _words(option, value, kept):
         raise ValueError(f"{flag} = {value}: a value is wanted, {option['help']}")
     if option["values"] > 1:
         values = list(value) if _is_several(value) else [value]
-        return [flag, *(text_of(one) for one in values)]
+        return [flag, *(text_of_argument(key, one) for one in values)]
     if isinstance(value, dict) and option["several"]:
         value = [{name: values} for name, values in value.items()]
     several = option["several"] and _is_several(value) and not series.is_table(value)
-    texts = [_single(option, one, kept) for one in (value if several else [value])]
+    texts = [_single(key, option, one, kept) for one in (value if several else [value])]
     return [f"{flag}={text}" for text in texts] if flag else texts
 
 
@@ -112,10 +143,12 @@ def words_of(name, what, keywords):
         words += [f"--{flag}={text}" for flag, text in what.flags.items() if python_name(flag) not in given]
     elif what is not None:
         if own.place is None:
-            raise ValueError(f"{name} takes a Scene, or its keywords; {what!r} is none")
-        words += _words(own.place, what, kept)
+            raise ValueError(f"{name} takes a Scene, or its keywords; {reprlib.repr(what)} is none")
+        if series.is_table(what):
+            raise ValueError(f"{name} takes a Scene, a path or a Result{'; numbers are given as series=' if 'series' in own.options else ''}")
+        words += _words("what", own.place, what, kept)
     for key, value in given.items():
-        words += _words(own.options[key], value, kept)
+        words += _words(key, own.options[key], value, kept)
     return words, kept
 
 
@@ -179,6 +212,10 @@ def run(name, what, keywords, progress=None):
         code, text, messages, failure, raised = _swirl.run([name, *words], shown if shown.shown else None)
     finally:
         shown.close()
+    for one in kept:
+        if hasattr(one, "in_own_words"):
+            failure = one.in_own_words(failure)
+            messages = [one.in_own_words(message) for message in messages]
     del kept
     if failure and raised is None:
         raise _error(code, failure)

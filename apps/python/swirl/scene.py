@@ -1,6 +1,7 @@
 """The scene: a body in a swirled container, and its collision map."""
 
 import os
+import reprlib
 import types
 
 from . import _swirl
@@ -21,17 +22,29 @@ def text_of(value):
         return str(value)
     if isinstance(value, float):
         return float.__repr__(value)
-    if hasattr(value, "__index__"):  # NumPy's whole numbers
-        return str(value.__index__())
-    if hasattr(value, "__float__"):
+    try:
+        if hasattr(value, "__index__"):  # NumPy's whole numbers
+            return str(value.__index__())
+    except TypeError:  # an array has it, too
+        pass
+    if hasattr(value, "__float__") and not getattr(value, "ndim", 0):
         return float.__repr__(float(value))
-    raise ValueError(f"{value!r} is neither a number nor a word")
+    raise ValueError(f"{reprlib.repr(value)} is neither a number nor a word")
+
+
+def text_of_argument(name, value):
+    """The same, of an argument whose name a refusal says."""
+    try:
+        return text_of(value)
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
 
 
 class Scene:
     """A regular polygon or disk in a swirled circular container, with restitution and Coulomb friction.
 
-    A value: it cannot be changed, is equal to another scene of the same parameters, and can be hashed and pickled.
+    A value: it cannot be changed, is equal to another scene whose numbers are the same doubles and whose units are the
+    same, however they were given, and can be hashed and pickled.
 
     Parameters
     ----------
@@ -80,7 +93,8 @@ class Scene:
                  "inertia_factor": inertia_factor, "container_radius": container_radius, "swirl_radius": swirl_radius,
                  "swirl_rate": swirl_rate, "polygon_radius": polygon_radius, "mass": mass,
                  "drag": drag, "spin_drag": spin_drag, "floor": floor}
-        self._read([f"--{name.replace('_', '-')}={text_of(value)}" for name, value in given.items() if value is not None])
+        self._read([f"--{name.replace('_', '-')}={text_of_argument(name, value)}"
+                    for name, value in given.items() if value is not None])
 
     def _read(self, words):
         scene = _swirl.Scene(words)
@@ -207,9 +221,12 @@ class Scene:
         Rows advance together, one a lane of the processor's vectors, on several threads, and give what each gives alone,
         bit for bit. Source: map/README.md and map/batch/README.md.
         """
-        if not outcomes:
-            return self._scene.map(z, steps, threads)
-        return self._named(self._scene.map(z, steps, threads, True), 1)
+        try:
+            if not outcomes:
+                return self._scene.map(z, steps, threads)
+            return self._named(self._scene.map(z, steps, threads, True), 1)
+        except TypeError:
+            raise _unfit(z, steps=steps, threads=threads) from None
 
     def derivative(self, z, threads=0, outcomes=False):
         """DF, exact (no differences), through sustained contact too.
@@ -230,9 +247,12 @@ class Scene:
         -----
         The saltation of flight and impact, in closed form: map/README.md, "Derivative".
         """
-        if not outcomes:
-            return self._scene.derivative(z, threads)
-        return self._named(self._scene.derivative(z, threads, True), 2)
+        try:
+            if not outcomes:
+                return self._scene.derivative(z, threads)
+            return self._named(self._scene.derivative(z, threads, True), 2)
+        except TypeError:
+            raise _unfit(z, threads=threads) from None
 
     @classmethod
     def _named(cls, found, one):
@@ -256,11 +276,17 @@ class Scene:
                     texts.pop(replaced, None)
         return type(self)(**{**texts, **parameters})
 
+    @property
+    def _numbers(self):
+        """What it comes to: kappa is the uniform lamina's, whether it was given or not."""
+        units = self._values["units"]
+        return (*((name, value) for name, value in self._values.items() if name != "units"), units and tuple(units.items()))
+
     def __eq__(self, other):
-        return self._texts == other._texts if isinstance(other, Scene) else NotImplemented
+        return self._numbers == other._numbers if isinstance(other, Scene) else NotImplemented
 
     def __hash__(self):
-        return hash(self._texts)
+        return hash(self._numbers)
 
     def __reduce__(self):
         return _scene_from, (self._texts,)
@@ -271,6 +297,19 @@ class Scene:
         texts = dict(self._texts)
         named = [name.replace("_", "-") for name in NAMES]
         return f"Scene({', '.join(shown(name, texts[name]) for name in named if name in texts)})"
+
+
+def _unfit(z, **whole):
+    """Why these are no arguments of a map."""
+    for name, value in whole.items():
+        if not hasattr(value, "__index__"):
+            return TypeError(f"{name} = {value!r} is no whole number")
+    import numpy
+    try:
+        numpy.asarray(z, dtype=float)
+    except (TypeError, ValueError) as error:
+        return ValueError(f"z = {reprlib.repr(z)} is no array of numbers: {error}")
+    return TypeError(f"z = {reprlib.repr(z)} is no array of numbers")
 
 
 def _is_number(text):

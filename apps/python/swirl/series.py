@@ -42,20 +42,39 @@ def columns_of(value):
     if hasattr(value, "columns"):  # pandas.DataFrame
         return _frame(value)
     import numpy
-    array = numpy.asarray(value, dtype=float)
-    if array.ndim not in (1, 2):
-        raise ValueError(f"a series has the shape {array.shape}; (n,) or (n, columns) is wanted")
+    try:
+        array = numpy.asarray(value)
+    except ValueError:
+        raise ValueError("its rows have several lengths") from None
+    if array.dtype.kind not in "biufO":
+        raise ValueError(f"it holds {array.dtype}, numbers are wanted")
+    try:
+        array = array.astype(float)
+    except (TypeError, ValueError):
+        raise ValueError("it holds what is no number") from None
+    if array.ndim not in (1, 2) or array.size == 0:
+        raise ValueError(f"it has the shape {array.shape}; (n,) or (n, columns) is wanted")
     return None, array.reshape(len(array), -1).T.tolist()
 
 
 class TemporaryTable(files.TemporaryFile):
-    """A table of text that goes with this object; numbers read back to the same bits."""
+    """A table of text that goes with this object; numbers read back to the same bits. `name` is the argument's."""
 
-    def __init__(self, value):
+    def __init__(self, value, name):
         super().__init__(".csv")
-        names, columns = columns_of(value)
+        self.name = name
+        try:
+            names, columns = columns_of(value)
+        except ValueError as error:
+            raise ValueError(f"{name}: {error}") from None
+        self.has_names = bool(names)
         with open(self.path, "w", encoding="utf-8") as file:
             if names:
                 file.write(",".join(map(_cell, names)) + "\n")
             for row in zip(*columns):
                 file.write(",".join(map(_cell, row)) + "\n")
+
+    def in_own_words(self, text):
+        """What the command says of a file, of the argument."""
+        text = text.replace(f"{self.name} '{self.path}'", self.name).replace(f"'{self.path}'", f"the array `{self.name}`")
+        return text if self.has_names else text.replace("the file has no header", "an array has no names of columns")

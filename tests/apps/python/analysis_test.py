@@ -93,6 +93,18 @@ class OfAUser(unittest.TestCase):
             LOGISTIC.continue_([[0.6]], between=(1, 2), parameter=2.5)
         with self.assertRaisesRegex(ValueError, "dimension = 0"):
             analysis.Map(lambda z: z, dimension=0)
+        for wrong, words in ((lambda: HENON.cycles(period=0), "period = 0 is outside its range: 1 or more"),
+                             (lambda: HENON.cycles(period=1.5), "period = 1.5 is no whole number"),
+                             (lambda: HENON.cycles(accept=float("nan")), "accept = nan is outside its range: above 0"),
+                             (lambda: HENON.cycles(starts=[[0.1] * 3]), r"starts has the shape \(1, 3\); \(n, 2\) is wanted"),
+                             (lambda: HENON.orbit(0.1, 5), r"z has the shape \(\); \(2,\) is wanted"),
+                             (lambda: HENON.orbit((0.1, 0.1), -1), "steps = -1 is outside its range: 0 or more"),
+                             (lambda: HENON.exponents((0.1, 0.1), 1.4, steps=0), "steps = 0 is outside its range: 1 or more"),
+                             (lambda: HENON.exponents((0.1, 0.1), 1.4, transient=-1), "transient = -1"),
+                             (lambda: LOGISTIC.continue_([[0.6]], (2, 3), 2.5, longest_step=0), "longest_step = 0 is outside its range: above 0"),
+                             (lambda: LOGISTIC.continue_([[0.6]], (2, 3), 2.5, switch=-1), "switch = -1")):
+            with self.assertRaisesRegex(ValueError, words):
+                wrong()
 
     def test_an_angle_is_one(self):
         turning = analysis.Map(lambda z: [(z[0] + 2 * np.pi / 3) % (2 * np.pi)], dimension=1, angles={0: 2 * np.pi},

@@ -11,6 +11,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
+
 from imported import CHAOS, HEXAGON, MODULES, PERIOD_8, ROOT, command, flags_of, swirl
 
 ALL = "--all" in sys.argv and bool(sys.argv.remove("--all") or True)
@@ -202,6 +204,33 @@ class Refusals(unittest.TestCase):
                 swirl.classify(HEXAGON, **wrong)
         with self.assertRaises(ValueError):
             swirl.lyapunov("orbit.h5")
+
+    def test_refusals_of_what_is_no_text_speak_of_the_argument(self):
+        grid = lambda values: lambda: swirl.sweep(HEXAGON, grid={"alpha": values})
+        for wrong, words in (
+                (lambda: swirl.recurrence(series=np.array([])), r"^series: it has the shape \(0,\); \(n,\) or \(n, columns\) is wanted$"),
+                (lambda: swirl.recurrence(series=[]), "^series is empty"),
+                (lambda: swirl.recurrence(series=[[1, 2], [3]]), "^series: its rows have several lengths$"),
+                (lambda: swirl.recurrence(series=np.array(["a"])), "^series: it holds <U1, numbers are wanted$"),
+                (lambda: swirl.recurrence(series=np.array([1j, 2])), "^series: it holds complex128"),
+                (lambda: swirl.recurrence(series=np.full(5, np.nan)), "^series has no rows of numbers"),
+                (lambda: swirl.recurrence(series=np.zeros((30, 2)), column="x"), "'x' is no column of the array `series`"),
+                (lambda: swirl.fit(impacts=np.zeros((3, 3))), "^impacts: column vx_before is missing.*; an array has no names of columns$"),
+                (lambda: swirl.classify(np.zeros(100)), "^classify takes a Scene, a path or a Result; numbers are given as series=$"),
+                (grid(np.zeros((2, 2))), r"^grid\['alpha'\] has the shape \(2, 2\); \(n,\) is wanted$"),
+                (grid(np.array([0.3, np.nan])), r"^grid = \{'alpha': array\(\[0.3, *nan\]\)\}: alpha = nan is not finite$"),
+                (grid((0.3, 0.5)), r"^grid = \{'alpha': \(0.3, 0.5\)\}: \{NAME: \(A, B, COUNT\)\}, .* or \{NAME: \[V, V, ...\]\} is wanted$"),
+                (grid([True, 0.5]), r"^grid\['alpha'\]: True is no number$"),
+                (lambda: swirl.continue_(HEXAGON, from_=np.zeros(5), along={"beta": 0.5}), r"^along = \{'beta': 0.5\}: \{NAME: \(A, B\)\} is wanted$"),
+                (lambda: swirl.simulate(HEXAGON, point=np.zeros(4)), r"^point = array\(\[0., 0., 0., 0.\]\) has 4 numbers; it takes 5$"),
+                (lambda: swirl.simulate(HEXAGON, point=np.zeros((2, 5))), "^point: .* is neither a number nor a word$"),
+                (lambda: swirl.Scene(6, np.array([0.1, 0.2]), 0.5, 0.5, 0.5), r"^alpha: array\(\[0.1, 0.2\]\) is neither"),
+                (lambda: HEXAGON.map("abc"), "^z = 'abc' is no array of numbers"),
+                (lambda: HEXAGON.map([[1, 2], [3]]), "^z = .* is no array of numbers")):
+            with self.assertRaisesRegex(ValueError, words):
+                wrong()
+        with self.assertRaisesRegex(TypeError, "^steps = 1.5 is no whole number$"):
+            HEXAGON.map(np.zeros(5), steps=1.5)
 
     def test_what_cannot_be_written_is_an_os_error(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -49,9 +49,14 @@ class Scenes(unittest.TestCase):
             self.assertEqual(swirl.Scene.from_toml(path), HEXAGON)
             with self.assertRaisesRegex(ValueError, "cannot be opened"):
                 swirl.Scene.from_toml(Path(folder) / "none.toml")
-        again = swirl.Scene.from_record(swirl.describe(HEXAGON))
-        self.assertEqual([getattr(again, name) for name in ("sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor")],
-                         [getattr(HEXAGON, name) for name in ("sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor")])
+        # A record says kappa, and 1/omega_s.
+        turned = [swirl.Scene.from_units(sides=6, container_radius=0.05, polygon_radius=0.02, swirl_radius=0.01, swirl_rate=rate,
+                                         mu=0.3, restitution=0.8) for rate in (7, 49, 0.1, 104.7)]
+        for scene in (HEXAGON, DISK, *turned):
+            again = swirl.Scene.from_record(swirl.describe(scene))
+            self.assertEqual((again, hash(again)), (scene, hash(scene)))
+            self.assertNotEqual(again, scene.with_(inertia_factor=0.3))
+        self.assertNotEqual(turned[0], turned[1])
         with self.assertRaises(OSError):
             swirl.Scene.from_record("no-such.h5")
 

@@ -1,4 +1,4 @@
-"""Cycles, branches and Lyapunov exponents of a map of one's own: a Python function of a state and a parameter.
+"""Cycles, branches, Lyapunov exponents and basins of a map of one's own: a Python function of a state and a parameter.
 
     >>> import numpy as np
     >>> from swirl import analysis
@@ -6,6 +6,7 @@
     >>> [cycle.points[0] for cycle in henon.cycles(period=1, parameter=1.4)]
     >>> branches = henon.continue_(henon.cycles(1, 0.1)[0], between=(0, 1.2))
     >>> henon.exponents((0.1, 0.1), 1.4).exponents
+    >>> henon.basins(((-2.5, 2.5, 100), (-2.5, 2.5, 100)), 1.4).shares()
 
 What computes is `analysis/` of Swirl, the same as for its scenes: multiple shooting with Newton's method, pseudo-arclength
 continuation with special points located to rounding, QR of the derivatives.
@@ -19,7 +20,7 @@ import numpy as np
 
 from . import _swirl
 
-__all__ = ["Branch", "BranchPoint", "Cycle", "Exponents", "Map", "SpecialPoint"]
+__all__ = ["Basins", "Branch", "BranchPoint", "Cycle", "Exponents", "Map", "SpecialPoint"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -74,6 +75,66 @@ class Exponents:
     weighted_exponents: np.ndarray  #: converge faster than any power of the steps on regular orbits
 
 
+ESCAPES, UNRESOLVED = -1, -2  #: labels of `Basins` that are no attractor
+UNKNOWN = -3
+#: In a row: steps outside, cells of one attractor, of one basin, of the orbit's own; and steps that make an attractor.
+LOST, MET, IN_BASIN, RETURNED, ON_ATTRACTOR = 100, 2, 10, 100, 1000
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Basins:
+    """What the cells of a box lead to."""
+    labels: np.ndarray  #: of each cell its attractor's place in the list, or ESCAPES, UNRESOLVED
+    attractors: list    #: of ndarray, shape (n, d): centres of the cells that each visits
+    edges: list         #: of ndarray, those of the cells along each coordinate
+
+    def shares(self):
+        """Share of the box by label."""
+        labels, counts = np.unique(self.labels, return_counts=True)
+        return {int(label): float(count) / self.labels.size for label, count in zip(labels, counts)}
+
+
+class _Cells:
+    """The cells of a box."""
+
+    def __init__(self, box, dimension):
+        if len(box) != dimension or any(len(side) != 3 for side in box):
+            raise ValueError(f"box has {len(box)} sides; (from, to, cells) of each of {dimension} coordinates is wanted")
+        self.counts = tuple(_whole("cells", side[2], 1) for side in box)
+        for low, high, _ in box:
+            if not (np.isfinite(low) and np.isfinite(high) and low < high):
+                raise ValueError(f"box = {low:g} to {high:g} is outside its range: two finite numbers, the first below the second")
+        self.edges = [np.linspace(low, high, count + 1) for low, high, count in box]
+        self.low, self.size = (np.array(numbers) for numbers in zip(*((low, (high - low) / count) for low, high, count in box)))
+
+    def centre(self, cell):
+        return self.low + (np.array(cell) + 0.5) * self.size
+
+    def cell_of(self, z):
+        """None outside."""
+        places = np.floor((z - self.low) / self.size)
+        return tuple(places.astype(int)) if (places >= 0).all() and (places < self.counts).all() else None
+
+
+class _Basins:
+    """Labels as far as they are known."""
+
+    def __init__(self, counts):
+        self.labels = np.full(counts, UNKNOWN)
+        self.attractors, self.attractor_of = [], {}
+
+    def label(self, cells, label):
+        for cell in cells:
+            self.labels[cell] = label
+
+    def new_attractor(self, cells):
+        cells.discard(None)
+        self.attractors.append(sorted(cells))
+        self.attractor_of.update(dict.fromkeys(cells, len(self.attractors) - 1))
+        self.label(cells, len(self.attractors) - 1)
+        return len(self.attractors) - 1
+
+
 class Map:
     """z -> F(z, p), by a Python function.
 
@@ -125,6 +186,65 @@ class Map:
             return np.asarray(self._by_parameter(z, p), dtype=float).reshape(self.dimension, 1)
         h = np.cbrt(np.finfo(float).eps) * max(1, abs(p))
         return ((self(z, p + h) - self(z, p - h)) / (2 * h)).reshape(self.dimension, 1)
+
+    def basins(self, box, parameter=0.0, most_steps=10_000):
+        """Which attractor each cell of a box leads to, from its centre.
+
+        Parameters
+        ----------
+        box : sequence of (float, float, int), one a coordinate
+            From, to and into how many cells: ((-2.5, 2.5, 100), (-2.5, 2.5, 100)).
+        parameter : float
+            p.
+        most_steps : int
+            Of one orbit.
+
+        Returns
+        -------
+        Basins
+
+        Notes
+        -----
+        An orbit that comes back to cells of its own 100 times in a row is on an attractor, which are the cells of 1000
+        further steps; one that meets an attractor twice in a row, or 10 cells of one basin in a row, belongs to that; one that
+        the map ends, or that is outside for 100 steps in a row, escapes. So cells are to be small beside the attractors'
+        distances, some cells on a boundary have a neighbour's label, and an orbit that stays long near a chaotic saddle is
+        taken for one on an attractor. Source: G. Datseris, A. Wagemakers, Chaos 32 (2022) 023104. Cost: some ten calls of the
+        function a cell.
+        """
+        grid = _Cells(box, self.dimension)
+        most_steps = _whole("most_steps", most_steps, 1)
+        seen = _Basins(grid.counts)
+        with np.errstate(all="ignore"):
+            for start in np.ndindex(*grid.counts):
+                if seen.labels[start] == UNKNOWN:
+                    self._follow_to_basin(start, grid, seen, parameter, most_steps)
+        points = [np.array([grid.centre(cell) for cell in cells]) for cells in seen.attractors]
+        return Basins(seen.labels, points, grid.edges)
+
+    def _follow_to_basin(self, start, grid, seen, parameter, most_steps):
+        z, path = grid.centre(start), {start}
+        returned = outside = met = in_basin = 0
+        last = None
+        for _ in range(most_steps):
+            z = self(z, parameter)
+            cell = grid.cell_of(z)
+            outside = outside + 1 if cell is None else 0
+            if outside >= LOST or not np.isfinite(z).all():
+                return seen.label(path, ESCAPES)
+            if cell is None:
+                continue
+            label = seen.attractor_of.get(cell, seen.labels[cell])
+            met = met + 1 if cell in seen.attractor_of and label == last else int(cell in seen.attractor_of)
+            in_basin = in_basin + 1 if label == last and label != UNKNOWN else int(label != UNKNOWN)
+            last = label
+            if met >= MET or in_basin >= IN_BASIN:
+                return seen.label(path, label)
+            returned = returned + 1 if cell in path else 0
+            path.add(cell)
+            if returned >= RETURNED:
+                return seen.label(path, seen.new_attractor({grid.cell_of(one) for one in self.orbit(z, ON_ATTRACTOR, parameter)}))
+        return seen.label(path, UNRESOLVED)
 
     def _state(self, name, z):
         """A state that the user gives; a number is one of a map of one coordinate."""

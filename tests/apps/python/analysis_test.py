@@ -74,6 +74,41 @@ class Branches(unittest.TestCase):
         self.assertLess(abs(found.exponents[0] - math.log(2)), 5 * found.standard_errors[0])
 
 
+class Basins(unittest.TestCase):
+    def test_henons_map_has_one_and_the_rest_escapes(self):
+        """Against 1000 steps from each centre; R. Devaney, Z. Nitecki (1979): what leaves |x| < 2.5 goes to infinity."""
+        found = HENON.basins(((-2.5, 2.5, 60), (-2.5, 2.5, 60)), 1.4)
+        self.assertEqual((set(np.unique(found.labels)), len(found.attractors)), ({analysis.ESCAPES, 0}, 1))
+        x, y = np.meshgrid(*((edge[1:] + edge[:-1]) / 2 for edge in found.edges), indexing="ij")
+        with np.errstate(all="ignore"):
+            for _ in range(1000):
+                x, y = 1 - 1.4 * x * x + y, 0.3 * x
+        stays = abs(x) < 2.5
+        # An orbit that runs through cells of a basin for ten steps may yet leave it: a few on the boundary.
+        self.assertLess(np.mean(stays != (found.labels == 0)), 0.01)
+        self.assertAlmostEqual(found.shares()[0], np.mean(found.labels == 0), places=12)
+        inside = np.abs(found.attractors[0]).max(axis=0)
+        self.assertLess(inside[0], 1.4)
+        self.assertLess(inside[1], 0.5)
+
+    def test_a_cubic_map_has_two_on_either_side_of_zero(self):
+        cubic = analysis.Map(lambda z: [1.5 * z[0] - 0.5 * z[0] ** 3], dimension=1)  # to -1 and 1 from |x| < 3 ** 0.5
+        found = cubic.basins([(-1.7, 1.7, 200)])
+        middles = (found.edges[0][1:] + found.edges[0][:-1]) / 2
+        np.testing.assert_array_equal(found.labels, np.where(middles < 0, 0, 1))
+        np.testing.assert_allclose(np.ravel(found.attractors), [-1, 1], rtol=0, atol=0.0086)  # half a cell
+
+    def test_a_turn_comes_back_to_no_cell_often_enough(self):
+        turn = analysis.Map(lambda z: [(z[0] + 2 ** 0.5) % 50], dimension=1)
+        self.assertEqual(turn.basins([(0, 50, 2000)], most_steps=20).shares(), {analysis.UNRESOLVED: 1.0})
+
+    def test_wrong_boxes_are_named(self):
+        for box, words in (([(0, 1, 5)], "box has 1 sides"), ([(0, 1), (0, 1)], "box has 2 sides"), ([(0, 1, 0)] * 2, "cells = 0 is outside"),
+                           ([(1, 0, 5)] * 2, "box = 1 to 0 is outside"), ([(0, float("nan"), 5)] * 2, "box = 0 to nan")):
+            with self.assertRaisesRegex(ValueError, words):
+                HENON.basins(box, 1.4)
+
+
 class OfAUser(unittest.TestCase):
     def test_what_the_function_throws_is_thrown(self):
         def broken(z, p):

@@ -4,6 +4,7 @@ import keyword
 import os
 import reprlib
 import sys
+import warnings
 
 from . import _swirl, files, series
 from .result import Result
@@ -168,11 +169,13 @@ class Progress:
             self.close()
             self.task = (task, total)
             try:
-                from tqdm.auto import tqdm
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # of a notebook without ipywidgets, which has the bar as text
+                    from tqdm.auto import tqdm
             except ImportError:
                 self.shown = False
                 return
-            self.bar = tqdm(total=total, desc=task, leave=False)
+            self.bar = tqdm(total=total, desc=task, leave=False, delay=1)  # s: what is done before has none
         if self.bar is not None:
             self.bar.update(max(0, done - self.bar.n))
 

@@ -16,22 +16,22 @@ namespace {
 constexpr const char* start_group =
     "Start (in m, s, rad where the scene is in SI units: --container-radius, --swirl-rate ...)";
 
-std::uint64_t seed_from(const std::string& text) {
+std::uint64_t seed_from(const std::string& flag, const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
     if (error != std::errc() || end != text.data() + text.size())
-        throw BadInput(fmt::format("--seed: {} is outside its range: 0 to 18446744073709551615", text));
+        throw BadInput(fmt::format("{}: {} is outside its range: 0 to 18446744073709551615", flag, text));
     return seed;
 }
 
 }  // namespace
 
-Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given) {
-    const auto take = [&seed, given](const std::string& text) {
-        seed = seed_from(text);
+Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given, const std::string& flag) {
+    const auto take = [&seed, given, flag](const std::string& text) {
+        seed = seed_from(flag, text);
         if (given != nullptr) *given = true;
     };
-    return command.add_text("--seed", take, help)->type_name("");
+    return command.add_text(flag, take, help)->type_name("");
 }
 
 void StartOptions::add_to(Flags& command) {
@@ -68,7 +68,7 @@ void StartOptions::set(const std::string& name, const std::string& text) {
     } else if (name == "speed") {
         speed_ = text;
     } else if (name == "seed") {
-        seed_ = seed_from(text);
+        seed_ = seed_from("--seed", text);
         seed_given_ = true;
     } else {
         lab_[name] = text;

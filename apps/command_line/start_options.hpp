@@ -13,8 +13,9 @@
 
 namespace swirl::apps {
 
-/// --seed: CLI11 would take −1 for 2⁶⁴ − 1. `given`, if there is one, is set when the flag is.
-Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr);
+/// --seed, or another flag: CLI11 would take −1 for 2⁶⁴ − 1. `given`, if there is one, is set when the flag is.
+Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr,
+              const std::string& flag = "--seed");
 
 class StartOptions {
 public:

@@ -4,6 +4,7 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "apps/command_line/record_files.hpp"
+#include "apps/command_line/start_options.hpp"
 #include "apps/input/each_body.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
@@ -41,8 +42,8 @@ recurrence times what the border of the matrix is: they end there, unless --join
 far as it came: the outcome says why, and the exit code is 3.
 
 --sample-pairs K is for series so long that n^2 pairs are out of reach: RR, DET, L, LAM, TT and RC are estimated from K pairs
-drawn at random, each with its standard error (some 4 errors hold nearly always); the other measures need all pairs and are
-left out.
+(1000 or more) drawn at random, each with its standard error (some 4 errors hold nearly always); the other measures need all
+pairs and are left out. Up to some 5000 points all pairs are counted as fast.
 
 Examples:
   swirl recurrence --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 2000
@@ -50,6 +51,9 @@ Examples:
   swirl recurrence --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 300000 --sample-pairs 100000)";
 
 namespace {
+
+/// Of fewer pairs some ten recur where RR is 0.01, and no error is known.
+constexpr std::int64_t fewest_pairs = 1000;
 
 /// Window and image against the numbers of points.
 void check_sizes(const RecurrenceOptions& options, int window, const recurrence::Points& rows,
@@ -185,8 +189,8 @@ void RecurrenceOptions::add_to(Flags& command) {
         .add_option("--sample-pairs", sampled_pairs,
                     "estimate RR, DET, L, LAM, TT and RC from K random pairs of points, with errors")
         ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000'000));
-    recurrence.add_option("--sample-seed", sample_seed, "of these pairs (default 1)")->type_name("SEED");
+        ->transform(whole_number(fewest_pairs, 1'000'000'000'000));
+    add_seed(recurrence, sample_seed, "of these pairs (default 1)", nullptr, "--sample-seed")->type_name("SEED");
     recurrence.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
         ->type_name("PIXELS")
         ->transform(whole_number(1, 20'000));

@@ -23,6 +23,8 @@ using analysis::recurrence::Measures;
 
 namespace {
 
+constexpr std::size_t counted_as_fast = 5000;  ///< points: all pairs take less time than random ones
+
 /// The measures, a row a threshold.
 Table<ThresholdResult> measure_table() {
     using F = Field<ThresholdResult>;
@@ -125,6 +127,9 @@ std::vector<std::string> notes_of(const RecurrenceReport& report) {
             fmt::format("estimated from {} random pairs, of which {} recur; Lmax, DIV, ENTR, Vmax, VENTR, MRT, RTE and "
                         "TREND need all pairs",
                         report.result.sampled->pairs, report.result.sampled->recurrent));
+    if (report.result.sampled && report.points.points.count <= counted_as_fast)
+        notes.push_back(fmt::format("all pairs of {} points are counted as fast, and exactly: leave out --sample-pairs",
+                                    report.points.points.count));
     if (!report.points.enough) notes.push_back("the orbit ended before there was a pair of points");
     return notes;
 }

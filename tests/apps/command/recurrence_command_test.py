@@ -37,6 +37,7 @@ class RandomPairs(InFolder):
                              (100_000, 100_000, seed))
             self.assertAlmostEqual(found["pairs_recurrent"] / 100_000, found["RR"], places=12)
             self.assertTrue(any("estimated from 100000 random pairs" in note for note in found["notes"]))
+            self.assertTrue(any("all pairs of 2988 points are counted as fast" in note for note in found["notes"]))
         self.assertNotIn("standard_errors", exact)
 
     def test_threads_change_nothing_and_people_see_errors(self):
@@ -48,9 +49,10 @@ class RandomPairs(InFolder):
     def test_what_needs_all_pairs_is_refused(self):
         for extra, mention in (("--image 20 --json", "--image"), ("--threshold 1,2", "one threshold"), ("--theiler 0", "theiler"),
                                ("--convention pyunicorn", "window"), ("--border-lines discarded", "border-lines"),
-                               ("--cross-column 1", "--cross"), ("--sample-pairs 0", "sample-pairs")):
+                               ("--cross-column 1", "--cross"), ("--sample-pairs 0", "sample-pairs"), ("--sample-pairs 999", "1000"),
+                               ("--sample-seed -1", "--sample-seed: -1 is outside its range: 0 to 18446744073709551615")):
             base = self.ROSSLER if "--threshold" not in extra else self.ROSSLER.replace("--threshold 1.2", "")
-            result = run(f"recurrence {base} {'' if 'sample' in extra else '--sample-pairs 100'} {extra}")
+            result = run(f"recurrence {base} {'' if 'sample' in extra else '--sample-pairs 1000'} {extra}")
             self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), (extra, result.stderr))
             self.assertIn(mention, result.stderr)
         result = run(f"recurrence {self.ROSSLER} --sample-seed 4")

@@ -41,8 +41,9 @@ lists what it cannot decide.
 --plane NAME=A:B --plane NAME=C:D cuts a plane of two parameters into cells on which the number of fixed points with a flight
 time up to --max-time, and how many multipliers of each lie outside the unit circle, are proven to be the same for all
 parameters. What is not proven is halved, down to --resolution: a cover of the curves on which fixed points appear, end or
-change their stability. The table has the proven share of the plane by the number of halvings, with seconds of cores; doubt
-names what is not certain of a cell (equations, longest-flight, contact-mode, clearance, stability). A polygon, mu > 0,
+change their stability. The table has the proven share of the plane by the number of halvings, with seconds of cores, then
+by the number of fixed points and of attracting ones; doubt names what is not certain of a cell (equations, longest-flight,
+contact-mode, clearance, stability). A polygon, mu > 0,
 beta > 0, restitution < 1. `swirl plot` draws the record.
 
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
@@ -54,7 +55,7 @@ not be proven, 2 if the file is no certificate or was changed after it was writt
 Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
-  swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2 --resolution 0.0625)";
+  swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2)";
 
 void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);

@@ -161,16 +161,18 @@ void print_plane(const CertifyOptions& options, const ProvenPlane& found) {
     fmt::print("{} = {:g} to {:g}, {} = {:g} to {:g}: fixed points with tau <= {}\n", a.name, a.low, a.high, b.name,
                b.low, b.high, with_unit(found.max_time, units, "1/omega_s"));
     print_table(depth_table(true), found.depths);
-    std::map<int, double> shares;
+    std::map<std::array<int, 2>, double> shares;  // by fixed points, and attracting ones among them
     std::map<Doubt, std::size_t> why;
     for (const PlaneCell& cell : found.cells) {
         if (cell.proven)
-            shares[cell.attracting] += std::ldexp(1.0, -cell.depth);
+            shares[{cell.fixed_points, cell.attracting}] += std::ldexp(1.0, -cell.depth);
         else
             ++why[cell.doubt];
     }
     fmt::print("  {:.3f} % of the plane is proven, in {} cells\n", 100 * found.proven_area(), found.proven());
-    for (const auto& [count, share] : shares) fmt::print("    {:>2} attracting: {:.3f} %\n", count, 100 * share);
+    for (const auto& [counts, share] : shares)
+        fmt::print("    {:>3} fixed point{} of which {} attracting: {:.3f} %\n", counts[0],
+                   counts[0] == 1 ? ", " : "s,", counts[1], 100 * share);
     for (const auto& [doubt, count] : why) fmt::print("  not proven, {}: {} cells\n", name_of(doubt), count);
     if (!found.whole) fmt::print("  interrupted: cells were not looked at\n");
 }
@@ -182,9 +184,24 @@ bool is_certificate_name(const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+/// What is said of a parameter twice, or backwards. @throws BadInput
+void require_one_plane(const CertifyOptions& options, const Plane& plane) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ParameterRange& axis = plane.axes[i];
+        if (axis.falling) throw BadInput(fmt::format("plane {}: NAME=A:B with A < B is wanted", options.plane[i]));
+        if (!options.scene.flag(axis.name, "").empty())
+            throw BadInput(fmt::format("--{0} and --plane {0}=... are both given: give one of them", axis.name));
+    }
+}
+
+}  // namespace
+
 int certify_plane(CertifyOptions& options) {
     options.scene.read_file(options.output.quiet);
     const Plane plane = boundaries::plane_from(options.plane);
+    require_one_plane(options, plane);
     const Scene<double> scene = boundaries::scene_of(options.scene, plane);
     studies::certify::ProvenPlaneOptions how;
     how.max_time = options.scene.longest_flight(options.longest, how.max_time, 1000);

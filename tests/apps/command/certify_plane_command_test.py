@@ -2,6 +2,7 @@
 
 import json
 import random
+import re
 import sys
 import unittest
 
@@ -123,6 +124,15 @@ class CertifyPlane(InFolder):
         table = run(COMMAND).stdout
         self.assertRegex(table, r"halvings +cells +% proven +core s\n")
         self.assertIn(f"{100 * self.found['proven_area']:.3f} % of the plane is proven", table)
+        shares = {}
+        for cell in self.found["cells"]:
+            if cell["proven"]:
+                counts = cell["fixed_points"], cell["attracting"]
+                shares[counts] = shares.get(counts, 0) + 100 * 2.0 ** -cell["depth"]
+        told = re.findall(r"^ +(\d+) fixed points?, +of which (\d+) attracting: ([\d.]+) %$", table, re.MULTILINE)
+        self.assertEqual([(int(points), int(attracting)) for points, attracting, _ in told], sorted(shares))
+        for (*counts, share) in told:
+            self.assertAlmostEqual(float(share), shares[tuple(map(int, counts))], delta=6e-4)
         self.assertLessEqual(max(map(len, table.splitlines())), 100)
 
     def test_what_cannot_be_is_refused(self):
@@ -135,6 +145,8 @@ class CertifyPlane(InFolder):
                              (f"{HEXAGON} {plane} --resolution nan", "resolution"),
                              (f"{HEXAGON} {plane} --max-time 0", "max-time = 0 is outside its range"),
                              (f"{HEXAGON} {plane} --all", "give one of"),
+                             (f"{HEXAGON} {plane.replace('0.3:0.31', '0.31:0.3')}", "plane alpha=0.31:0.3: NAME=A:B with A < B is wanted"),
+                             (f"{HEXAGON} {plane} --beta 0.5", "--beta and --plane beta=... are both given"),
                              (f"{HEXAGON} --alpha 0.3 --beta 0.5 --all --resolution 0.1", "--resolution goes with --plane")):
             result = run(f"certify {flags}")
             self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (flags, result.stderr))

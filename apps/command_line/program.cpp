@@ -47,12 +47,10 @@ public:
     }
 
 private:
-    static constexpr std::size_t left = 30;  ///< columns of the names
-
     /// "  name   what it does", which begins a line of its own below a name that is longer than its columns.
     static std::string row(const std::string& name, const std::string& does) {
-        const std::string head = "  " + name, indent(left, ' ');
-        const std::string gap = head.size() < left ? indent.substr(head.size()) : "\n" + indent;
+        const std::string head = "  " + name, indent(description_column, ' ');
+        const std::string gap = head.size() < description_column ? indent.substr(head.size()) : "\n" + indent;
         return head + (does.empty() ? "" : gap + does) + "\n";
     }
 

@@ -20,7 +20,7 @@ std::size_t columns_of(const std::string& text) {
 
 /// "  --flag K    what it does": where what it does begins; 0 of other lines.
 std::size_t description_at(const std::string& line) {
-    if (blanks_before(line) >= 20) return blanks_before(line);
+    if (blanks_before(line) >= description_column) return blanks_before(line);
     if (blanks_before(line) != 2) return 0;
     const auto gap = line.find("  ", 2);
     return gap == std::string::npos ? 0 : line.find_first_not_of(' ', gap);

@@ -132,40 +132,8 @@ Curved<K> by_taylor(const Curved<K>& x, const AtPoint& value, const AtPoint& slo
 }  // namespace detail
 
 template <std::size_t K>
-double lower(const Curved<K>& x) {
-    return std::nextafter(x.mid - x.reach(), -std::numeric_limits<double>::infinity());
-}
-template <std::size_t K>
-double upper(const Curved<K>& x) {
-    return std::nextafter(x.mid + x.reach(), std::numeric_limits<double>::infinity());
-}
-template <std::size_t K>
-double middle(const Curved<K>& x) {
-    return x.mid;
-}
-template <std::size_t K>
-bool is_positive(const Curved<K>& x) {
-    return lower(x) > 0;
-}
-template <std::size_t K>
-bool is_negative(const Curved<K>& x) {
-    return upper(x) < 0;
-}
-template <std::size_t K>
-bool is_finite(const Curved<K>& x) {
-    return std::isfinite(x.mid) && std::isfinite(x.reach());
-}
-template <std::size_t K>
-bool contains_zero(const Curved<K>& x) {
-    return !is_positive(x) && !is_negative(x);
-}
-template <std::size_t K>
 bool is_exact_zero(const Curved<K>& x) {
     return x.mid == 0 && x.rest == 0 && x.slopes() == 0 && x.curves() == 0;
-}
-template <std::size_t K>
-const Curved<K>& value_of(const Curved<K>& x) {
-    return x;
 }
 template <std::size_t K>
 Ball values_of(const Curved<K>& x) {

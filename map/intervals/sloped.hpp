@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 
@@ -133,42 +134,49 @@ Sloped<K> by_taylor(const Sloped<K>& x, const AtPoint& value, const AtPoint& slo
 
 }  // namespace detail
 
+/// A number that lies no farther from its middle than it reaches: Sloped, Curved.
+template <class X>
+concept Centred = requires(const X& x) {
+    { x.mid } -> std::convertible_to<double>;
+    { x.reach() } -> std::convertible_to<double>;
+};
+
 /// Bounds: certainly no larger, no smaller.
-template <std::size_t K>
-double lower(const Sloped<K>& x) {
+template <Centred X>
+double lower(const X& x) {
     return std::nextafter(x.mid - x.reach(), -std::numeric_limits<double>::infinity());
 }
-template <std::size_t K>
-double upper(const Sloped<K>& x) {
+template <Centred X>
+double upper(const X& x) {
     return std::nextafter(x.mid + x.reach(), std::numeric_limits<double>::infinity());
 }
-template <std::size_t K>
-double middle(const Sloped<K>& x) {
+template <Centred X>
+double middle(const X& x) {
     return x.mid;
 }
-template <std::size_t K>
-bool is_positive(const Sloped<K>& x) {
+template <Centred X>
+bool is_positive(const X& x) {
     return lower(x) > 0;
 }
-template <std::size_t K>
-bool is_negative(const Sloped<K>& x) {
+template <Centred X>
+bool is_negative(const X& x) {
     return upper(x) < 0;
 }
-template <std::size_t K>
-bool is_finite(const Sloped<K>& x) {
+template <Centred X>
+bool is_finite(const X& x) {
     return std::isfinite(x.mid) && std::isfinite(x.reach());
 }
-template <std::size_t K>
-bool contains_zero(const Sloped<K>& x) {
+template <Centred X>
+bool contains_zero(const X& x) {
     return !is_positive(x) && !is_negative(x);
+}
+template <Centred X>
+const X& value_of(const X& x) {
+    return x;
 }
 template <std::size_t K>
 bool is_exact_zero(const Sloped<K>& x) {
     return x.mid == 0 && x.rest == 0 && x.slopes() == 0;
-}
-template <std::size_t K>
-const Sloped<K>& value_of(const Sloped<K>& x) {
-    return x;
 }
 /// Its values, whatever the e_i; all numbers where it has no bounds.
 template <std::size_t K>

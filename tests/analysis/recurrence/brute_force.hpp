@@ -4,16 +4,35 @@
 #include "analysis/recurrence/lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <vector>
 
 namespace swirl::tests {
 
 using Matrix = std::vector<std::vector<int>>;  // [row][column]
 using Histogram = std::map<std::size_t, std::uint64_t>;
+
+/// Any choices that can be made together; windows that leave out nothing, the main diagonal, a little, much, and more
+/// than most series have.
+inline analysis::recurrence::Settings random_settings(std::mt19937_64& random) {
+    using namespace analysis::recurrence;
+    const auto pick = [&](std::size_t below) { return random() % below; };
+    Settings s;
+    s.norm = static_cast<Norm>(pick(3));
+    s.strict = pick(2) == 1;
+    s.theiler = std::array{0, 1, 5, 70, 2000}[pick(5)];
+    s.window_on_vertical = pick(3) != 0;
+    s.triangles = pick(3) == 0 ? Triangles::one : Triangles::both;
+    s.border_lines = pick(3) == 0 ? BorderLines::discarded : BorderLines::counted;
+    s.recurrence_time = static_cast<RecurrenceTime>(pick(3));
+    s.border_white_lines = s.recurrence_time == RecurrenceTime::white_lines && pick(2) == 1;
+    return s;
+}
 
 /// One coordinate list per point; periods as in section_points. The distance as documented in metric.hpp, with sqrt.
 inline double distance(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& periods,

@@ -47,20 +47,6 @@ Points as_points(const Case& c) {
     return section_points(flat, static_cast<int>(c.periods.size()), c.periods);
 }
 
-Settings random_settings(std::mt19937_64& random) {
-    const auto pick = [&](int below) { return std::uniform_int_distribution<int>(0, below - 1)(random); };
-    Settings s;
-    s.norm = static_cast<Norm>(pick(3));
-    s.strict = pick(2) == 1;
-    s.theiler = std::array{0, 1, 5, 70}[static_cast<std::size_t>(pick(4))];
-    s.window_on_vertical = pick(3) != 0;
-    s.triangles = pick(3) == 0 ? Triangles::one : Triangles::both;
-    s.border_lines = pick(3) == 0 ? BorderLines::discarded : BorderLines::counted;
-    s.recurrence_time = static_cast<RecurrenceTime>(pick(3));
-    s.border_white_lines = s.recurrence_time == RecurrenceTime::white_lines && pick(2) == 1;
-    return s;
-}
-
 void expect_equal(const LineHistograms& fast, const tests::Lines& plain, const std::string& what) {
     EXPECT_EQ(fast.points, plain.points) << what;
     EXPECT_EQ(fast.points_outside_window, plain.points_outside) << what;
@@ -83,7 +69,7 @@ TEST(LineCounter, EqualsBruteForceForOneTrajectoryWithEveryOption) {
     for (long trial = 0; trial < tests::sample_count(400); ++trial) {
         const std::size_t n = sizes[static_cast<std::size_t>(trial) % sizes.size()];
         const Case c = random_case(random, n, 1 + static_cast<int>(random() % 6));
-        const Settings s = random_settings(random);
+        const Settings s = tests::random_settings(random);
         const auto thresholds = some_thresholds(random);
         const auto fast = count_lines(as_points(c), thresholds, s);
         for (std::size_t k = 0; k < thresholds.size(); ++k) {
@@ -102,7 +88,7 @@ TEST(LineCounter, EqualsBruteForceForCrossRecurrence) {
         const Case x = random_case(random, sizes[random() % sizes.size()], dimension);
         Case y = random_case(random, sizes[random() % sizes.size()], dimension);
         y.periods = x.periods;
-        const Settings s = random_settings(random);
+        const Settings s = tests::random_settings(random);
         const auto thresholds = some_thresholds(random);
         const auto fast = count_cross_lines(as_points(x), as_points(y), thresholds, s);
         for (std::size_t k = 0; k < thresholds.size(); ++k) {
@@ -126,7 +112,7 @@ TEST(LineCounter, EqualsBruteForceForAGivenMatrix) {
                 plain[i][j] = random() % 16 < density;
                 given.entries[i * columns + j] = static_cast<std::uint8_t>(plain[i][j]);
             }
-        const Settings s = random_settings(random);
+        const Settings s = tests::random_settings(random);
         expect_equal(count_lines(given, s), tests::lines_of(plain, false, s), "trial " + std::to_string(trial));
         ASSERT_FALSE(HasFailure());
     }
@@ -142,7 +128,7 @@ TEST(LineCounter, JoinsLinesAcrossBlocks) {
             series.push_back(std::sin(0.1 * static_cast<double>(i)) + (i % 97 == 0 ? 0.3 : 0));
         for (std::size_t i = 0; i < n; ++i) x[i] = {series[i]};
         for (int trial = 0; trial < 4; ++trial) {
-            const Settings s = random_settings(random);
+            const Settings s = tests::random_settings(random);
             const auto plain = tests::lines_of(tests::recurrence_matrix(x, x, {0.0}, 0.1, s), true, s);
             expect_equal(count_lines(embed_series(series), 0.1, s), plain, "n " + std::to_string(n));
         }

@@ -42,20 +42,6 @@ std::vector<double> coordinates(std::mt19937_64& random, Kind kind, std::size_t 
     return flat;
 }
 
-Settings random_settings(std::mt19937_64& random) {
-    const auto pick = [&](std::size_t below) { return random() % below; };
-    Settings s;
-    s.norm = static_cast<Norm>(pick(3));
-    s.strict = pick(2) == 1;
-    s.theiler = std::array{0, 1, 5, 70, 2000}[pick(5)];
-    s.window_on_vertical = pick(3) != 0;
-    s.triangles = pick(3) == 0 ? Triangles::one : Triangles::both;
-    s.border_lines = pick(3) == 0 ? BorderLines::discarded : BorderLines::counted;
-    s.recurrence_time = static_cast<RecurrenceTime>(pick(3));
-    s.border_white_lines = s.recurrence_time == RecurrenceTime::white_lines && pick(2) == 1;
-    return s;
-}
-
 LineHistograms followed(const Points& points, double threshold, const Settings& settings) {
     const double bound = key_bound(threshold, settings.norm, settings.strict, points.dimension);
     const detail::TiledMatrix matrix = detail::tiled_matrix(points, points, settings.norm, {&bound, 1});
@@ -83,7 +69,7 @@ TEST(SmoothLines, EqualBruteForceWithEveryOption) {
         for (std::size_t i = 0; i < n; ++i)
             list.emplace_back(flat.begin() + static_cast<std::ptrdiff_t>(i * dimension),
                               flat.begin() + static_cast<std::ptrdiff_t>((i + 1) * dimension));
-        const Settings s = random_settings(random);
+        const Settings s = tests::random_settings(random);
         const double threshold = std::array{0.1, 0.25, 0.5, 1.0, 9.0}[random() % 5];
         const auto matrix = tests::recurrence_matrix(list, list, std::vector<double>(dimension), threshold, s);
         const tests::Lines plain = tests::lines_of(matrix, true, s);
@@ -106,7 +92,7 @@ TEST(SmoothLines, EqualThoseOfColumnsOnAnyThreads) {
         for (const Kind kind : {smooth, walk, constant, ties})
             for (const int threads : {1, 2, 5}) {
                 const Points points = embed_series(coordinates(random, kind, n + 12, 1), 3, 6);
-                const Settings s = random_settings(random);
+                const Settings s = tests::random_settings(random);
                 const double bound = key_bound(0.5, s.norm, s.strict, 3);
                 const detail::ColumnFinder finder = detail::find_columns(points, points, s.norm, {&bound, 1});
                 const detail::Shape shape{n, n, true, theiler_window(s, false)};

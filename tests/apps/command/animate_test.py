@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
-from driving import examples_of, folder_of_module, made_records, run, start
+from driving import examples_of, run, start, with_records
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -36,15 +36,7 @@ RECORDS = {
 }
 
 
-class WithRecords(unittest.TestCase):
-    records = {}
-
-    @classmethod
-    def setUpClass(cls):
-        if cls.records:
-            return
-        WithRecords.folder = folder_of_module()
-        cls.records.update(made_records(RECORDS, cls.folder))
+WithRecords = with_records(RECORDS)
 
 
 class Motion(WithRecords):

@@ -1,11 +1,10 @@
 """Records of every kind that there is a figure of, for the tests of the figures: imported by TEST.py SWIRL ROOT [--all]"""
 
 import sys
-import unittest
 from math import cos
 from pathlib import Path
 
-from driving import folder_of_module, made_records
+from driving import made_records, with_records
 
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
 ROOT = str(Path(sys.argv.pop(1)).resolve())
@@ -57,25 +56,19 @@ def labels_of(figure):
     return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
 
 
-class WithRecords(unittest.TestCase):
-    records = {}
-
+class WithRecords(with_records({**COMMANDS, **(SLOW if ALL else {})})):
     @classmethod
-    def setUpClass(cls):
-        if cls.records:
-            return
-        WithRecords.folder = folder_of_module()
-        cls.records.update(made_records({**COMMANDS, **(SLOW if ALL else {})}, cls.folder))
-        measured = cls.folder / "measured.csv"
+    def add_records(cls, folder):
+        measured = folder / "measured.csv"
         measured.write_text(measured_series())
-        cls.records.update(made_records({"measured": f"classify --series {measured} --rows samples"}, cls.folder))
-        impacts = cls.folder / "impacts.csv"
+        cls.records.update(made_records({"measured": f"classify --series {measured} --rows samples"}, folder))
+        impacts = folder / "impacts.csv"
         impacts.write_text(impact_tables.table(impact_tables.impacts(60, noise=0.02)))
-        cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, cls.folder))
+        cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, folder))
         for name in ("diagram", "cycles", "few-cycles", "curves", "cells", "ladders", "film"):
-            cls.records[name] = cls.folder / f"{name}.h5"
+            cls.records[name] = folder / f"{name}.h5"
         for count in (1, 2, 3):
-            cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
+            cls.records[f"points{count}"] = folder / f"points{count}.h5"
             figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_orbits(cls.records["cycles"], 30, 100.0)

@@ -91,6 +91,26 @@ def folder_of_module():
     return Path(temporary.name)
 
 
+def with_records(commands, codes=(0,)):
+    """A base of tests that share `records`, those of these commands, in `folder`: made once for a module."""
+    class WithRecords(unittest.TestCase):
+        folder = None
+        records = {}
+
+        @classmethod
+        def setUpClass(cls):
+            if WithRecords.folder is None:
+                WithRecords.folder = folder_of_module()
+                WithRecords.records.update(made_records(commands, WithRecords.folder, codes))
+                cls.add_records(WithRecords.folder)
+
+        @classmethod
+        def add_records(cls, folder):
+            """Others, where a base of a module has more than commands make."""
+
+    return WithRecords
+
+
 #: 97.5 % quantiles of Student's distribution by degrees of freedom, from 1 on (Abramowitz & Stegun, Table 26.10).
 STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131)
 

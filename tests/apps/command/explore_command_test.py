@@ -9,7 +9,7 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from driving import examples_of, folder_of_module, made_records, run
+from driving import examples_of, run, with_records
 
 ROOT = Path(sys.argv.pop(1)).resolve()
 NODE = shutil.which("node")
@@ -56,16 +56,7 @@ class Reader(HTMLParser):
             self.scripts[name] = self.scripts.get(name, "") + data
 
 
-class WithRecords(unittest.TestCase):
-    records = {}
-
-    @classmethod
-    def setUpClass(cls):
-        if cls.records:
-            return
-        WithRecords.folder = folder_of_module()
-        cls.records.update(made_records(RECORDS, cls.folder, (0, 3)))
-
+class WithRecords(with_records(RECORDS, (0, 3))):
     def page_of(self, *names):
         page = self.folder / f"{'_'.join(names)}.html"
         made = run(["explore", *(str(self.records[name]) for name in names), "-o", str(page), "--force"])

@@ -6,7 +6,7 @@ import unittest
 
 import h5py
 
-from driving import folder_of_module, made_records, run
+from driving import run, with_records
 from drawn_records import labels_of
 import figure_records
 from swirl_figures import Look, caption, draw, open_record
@@ -37,15 +37,7 @@ RECORDS = {"rolls": "simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --res
 COLUMN = Look(width=86 / 25.4, titles=False)
 
 
-class WithRecords(unittest.TestCase):
-    records = {}
-
-    @classmethod
-    def setUpClass(cls):
-        if cls.records:
-            return
-        WithRecords.folder = folder_of_module()
-        cls.records.update(made_records(RECORDS, cls.folder, (0, 3)))
+WithRecords = with_records(RECORDS, (0, 3))
 
 
 class CutShort(WithRecords):

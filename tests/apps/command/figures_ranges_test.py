@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy
 
-from driving import run
+from driving import run, with_records
 from drawn_records import CHAOTIC, HEXAGON, labels_of
 import figure_records
 from swirl_figures import Look, RecordError, draw, open_record
@@ -26,14 +26,10 @@ def line(axes, label):
     return next(line for line in axes.get_lines() if line.get_label().startswith(label)).get_xydata()
 
 
-class WithRecords(unittest.TestCase):
+class WithRecords(with_records(RECORDS, (0, 3))):
     @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.records = {name: Path(folder.name) / f"{name}.h5" for name in [*RECORDS, "diagram", "curves"]}
-        for name, command in RECORDS.items():
-            assert run(f"{command} --quiet -o {cls.records[name]}").returncode in (0, 3), command
+    def add_records(cls, folder):
+        cls.records.update({name: folder / f"{name}.h5" for name in ("diagram", "curves")})
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_boundaries(cls.records["curves"])
 

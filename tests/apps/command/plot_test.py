@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy
 
-from driving import SWIRL, examples_of, folder_of_module, made_records, run, start
+from driving import SWIRL, examples_of, run, start, with_records
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -37,25 +37,19 @@ RECORDS = {
     "point": "sweep --sides 6 --beta 0.5 --restitution 0.9 --grid mu=0.5:0.5:1 --grid alpha=0.4:0.4:1",
 }
 SHORT = " --transient 100 --collisions 100"
+COMMANDS = {name: command + (SHORT if command.startswith("sweep") else "") for name, command in RECORDS.items()}
 HEADS = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
 
 
-class WithRecords(unittest.TestCase):
-    """The records of all kinds, made once for all tests."""
-    folder = None
-    records = {}
+class WithRecords(with_records(COMMANDS, (0, 3))):
+    """The records of all kinds."""
 
     @classmethod
-    def setUpClass(cls):
-        if WithRecords.folder:
-            return
-        WithRecords.folder = folder_of_module()
-        commands = {name: command + (SHORT if command.startswith("sweep") else "") for name, command in RECORDS.items()}
-        cls.records.update(made_records(commands, cls.folder, (0, 3)))
+    def add_records(cls, folder):
         for name, groups in (("continue", ["branches", "special"]), ("both", ["samples", "branches", "special"])):
-            cls.records[name] = cls.folder / f"{name}.h5"
+            cls.records[name] = folder / f"{name}.h5"
             figure_records.write_bifurcation(cls.records[name], groups)
-        cls.records["orbits"] = cls.folder / "orbits.h5"
+        cls.records["orbits"] = folder / "orbits.h5"
         figure_records.write_orbits(cls.records["orbits"], 4, 1.3)
 
 

@@ -282,7 +282,7 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,
                               100.0 * static_cast<double>(count) / static_cast<double>(judged.size()));
     fmt::print("{} columns, {} orbits: {}\n{}", diagram.columns.size(), judged.size(), shares, chaos_in_words(judged));
-    for (const RiskEvidence& evidence : diagram.risk) fmt::print("{}\n", wrapped(in_words(evidence), 2));
+    for (const RiskEvidence& evidence : diagram.risk) fmt::print("{}\n", wrapped(in_words(evidence, options.error), 2));
     if (!options.branches) return;
     print_branches(branches_of(options, diagram), diagram.along, diagram.branches);
     const std::string agreement = fmt::format(

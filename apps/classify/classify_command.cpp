@@ -11,6 +11,7 @@
 #include "apps/modes/risk_document.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/points_in_words.hpp"
+#include "apps/output/wrapped.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace swirl::apps::classify {
@@ -146,8 +148,11 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
         });
     } else if (!options.output.quiet) {
         const auto units = options.scene.units();
-        fmt::print("{}\n{}{}{}", scene_in_words(scene), units_in_words(units), table_of(named, options.verbose, units),
-                   cycle_in_words(named.verdict.point, units));
+        const std::string risk =
+            risk_of_one_in_words(options.risk, look_of_one(options.risk, options.settings), options.error);
+        fmt::print("{}\n{}{}{}{}", scene_in_words(scene), units_in_words(units),
+                   table_of(named, options.verbose, units), cycle_in_words(named.verdict.point, units),
+                   risk.empty() ? "" : wrapped("  " + risk, 4) + "\n");
     }
     return exit_done;
 }

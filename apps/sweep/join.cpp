@@ -102,6 +102,15 @@ void require_all(const std::vector<ReadShard>& shards, const std::vector<std::st
     if (missing != seen.end()) throw BadInput(fmt::format("shard {}/{} is missing", missing - seen.begin() + 1, of));
 }
 
+/// What the sample told is the same in each; of the means that were followed on each has its own.
+std::vector<RiskEvidence> risk_of_all(const std::vector<ReadShard>& shards) {
+    std::vector<RiskEvidence> all = shards.front().risk;
+    for (std::size_t s = 1; s < shards.size(); ++s)
+        for (std::size_t i = 0; i < std::min(all.size(), shards[s].risk.size()); ++i)
+            all[i].means_followed += shards[s].risk[i].means_followed;
+    return all;
+}
+
 }  // namespace
 
 int join(JoinOptions& options) {
@@ -121,7 +130,7 @@ int join(JoinOptions& options) {
     Sweep sweep = sweep_from(options.shards.front(), shards.front(), of_sweep);
     std::vector<char> done(sweep.results.size(), 0);
     for (std::size_t i = 0; i < shards.size(); ++i) put(options.shards[i], shards[i], sweep.runs, sweep, done);
-    sweep.risk = shards.front().risk;
+    sweep.risk = risk_of_all(shards);
     note_interruptions();
     const bool all = find_steady_modes(of_sweep, sweep);
     finish_up();

@@ -80,7 +80,8 @@ void print_sweep(const Sweep& sweep) {
     fmt::print("{}", chaos_in_words(judged));
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("the grid has {} cells; the others have their neighbours' verdicts\n", cell_count(sweep.grid));
-    for (const RiskEvidence& evidence : sweep.risk) fmt::print("{}\n", wrapped(in_words(evidence), 2));
+    for (const RiskEvidence& evidence : sweep.risk)
+        fmt::print("{}\n", wrapped(in_words(evidence, error_in(sweep.settings)), 2));
     if (sweep.basins) print_basins(sweep);
     if (sweep.boundaries) print_saddles(*sweep.boundaries, sweep.units);
     if (!sweep.attractors.empty()) print_tracks(sweep);

@@ -20,6 +20,8 @@ namespace {
 // third of the runs is drawn, questions at 97.5 % keep 95 % for those that are called.
 constexpr double confidence = 0.975;
 constexpr std::size_t largest_part = 3;
+// Nothing is called where that has a smaller chance than this, by what the sample has shown so far.
+constexpr double hopeless = 0.001;
 constexpr std::uint64_t stream_of_samples = 0x7269736b;  // "risk"
 
 void require_risk(double risk) {
@@ -31,6 +33,21 @@ std::int64_t fewest_judged(double risk) {
     constexpr double more_than_runs = 1e15;
     const double fewest = std::floor(std::log(1 - confidence) / std::log1p(-risk)) + 1;
     return static_cast<std::int64_t>(std::min(fewest, more_than_runs));
+}
+
+/// How many candidates are to be judged.
+std::int64_t wanted_of(double risk, std::int64_t runs) {
+    return std::max(2 * fewest_judged(risk), runs / 16);
+}
+
+/// How many runs are drawn for so many candidates more, if they are such a share of them.
+std::size_t draws_for(double candidates, double share) {
+    return static_cast<std::size_t>(1.05 * candidates / share) + 1;
+}
+
+/// True if a sample of so many runs may be a third of them, should all be candidates.
+bool is_enough(std::int64_t runs, double risk) {
+    return draws_for(static_cast<double>(wanted_of(risk, runs)), 1) <= static_cast<std::size_t>(runs) / largest_part;
 }
 
 /// A candidate of the sample.
@@ -59,6 +76,7 @@ public:
         for (std::size_t i = 0; i < missing.size(); ++i) seen_[missing[i]] = (*found)[i];
         return true;
     }
+    bool has_seen(std::size_t run) const { return seen_[run].has_value(); }
     const SeenRun& seen(std::size_t run) const { return *seen_[run]; }
     /// The mean exponent of the run's cell; none where a run of it is not chaotic.
     std::optional<double> score(std::size_t run) {
@@ -86,11 +104,54 @@ struct Sample {
     std::vector<std::size_t> drawn;
     std::vector<Judged> judged;   ///< the candidates among them
     std::vector<char> at_limits;  ///< of all runs, 1 of each that was followed to the limits
+    bool too_few = false;         ///< candidates for a question
+    bool refuted = false;         ///< the first question, before all are drawn
 };
 
-/// Draws until so many candidates are judged, or no run is left. None if it was stopped.
+/// Adds these runs to the sample, the candidates of them followed to the limits. False if it was stopped.
+bool judge(std::span<const std::size_t> drawn, const RunsAtRisk& runs, LookedAt& looked, Sample& sample) {
+    if (!looked.look_at(drawn)) return false;
+    std::vector<std::size_t> candidates;
+    for (const std::size_t run : drawn)
+        if (looked.score(run)) candidates.push_back(run);
+    const auto limits = runs.follow(candidates, 0);
+    if (!limits) return false;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        sample.judged.push_back({*looked.score(candidates[i]), !(*limits)[i].chaotic});
+        sample.at_limits[candidates[i]] = 1;
+    }
+    sample.drawn.insert(sample.drawn.end(), drawn.begin(), drawn.end());
+    return true;
+}
+
+void sort_by_score(std::vector<Judged>& judged) {
+    std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) { return a.score > b.score; });
+}
+
+/// True if the third of all runs that may be drawn has so many candidates with a chance below `hopeless` only.
+bool has_too_few(const RiskQuestion& question, std::int64_t wanted, const Sample& sample) {
+    const double most = analysis::most_rate(std::ssize(sample.judged), std::ssize(sample.drawn), 1 - hopeless);
+    return most * static_cast<double>(question.runs / largest_part) < static_cast<double>(wanted);
+}
+
+/// True if the first question, which allows of no run with another verdict, will be answered with no but for a chance
+/// below `hopeless`. It is about the `asked` surest of all candidates, each of which is among those of now with the
+/// chance `part`. Where more than `above` of them are, the surest run with another verdict is one of them.
+bool is_refuted(double risk, std::int64_t wanted, std::vector<Judged> judged) {
+    sort_by_score(judged);
+    const auto first = std::find_if(judged.begin(), judged.end(), [](const Judged& one) { return one.changed; });
+    const std::int64_t above = first - judged.begin(), asked = fewest_judged(risk);
+    if (above >= std::min(asked, std::ssize(judged))) return false;
+    constexpr double drawn_beyond = 1.1;  // as many as wanted, and some of the last draws
+    const double part = static_cast<double>(judged.size()) / (drawn_beyond * static_cast<double>(wanted));
+    return part > analysis::most_rate(above, asked, 1 - hopeless);
+}
+
+/// Draws until so many candidates are judged, no run is left, or nothing can be called any more. To look for that
+/// earlier large draws are judged in four parts. None if it was stopped.
 std::optional<Sample> draw(const RiskQuestion& question, std::int64_t wanted, const RunsAtRisk& runs,
                            LookedAt& looked) {
+    constexpr std::size_t most_parts = 4, least_of_a_part = 64;
     RandomOrder order(question.runs, question.seed);
     Sample sample;
     sample.at_limits.assign(question.runs, 0);
@@ -98,26 +159,33 @@ std::optional<Sample> draw(const RiskQuestion& question, std::int64_t wanted, co
         const auto missing = static_cast<double>(wanted - std::ssize(sample.judged));
         const double share = std::max(static_cast<double>(sample.judged.size()), 1.0) /
                              std::max(static_cast<double>(sample.drawn.size()), 1.0);
-        const auto drawn = order.take(static_cast<std::size_t>(1.05 * missing / share) + 1);
-        if (!looked.look_at(drawn)) return std::nullopt;
-        std::vector<std::size_t> candidates;
-        for (const std::size_t run : drawn)
-            if (looked.score(run)) candidates.push_back(run);
-        const auto limits = runs.follow(candidates, 0);
-        if (!limits) return std::nullopt;
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            sample.judged.push_back({*looked.score(candidates[i]), !(*limits)[i].chaotic});
-            sample.at_limits[candidates[i]] = 1;
+        const auto drawn = order.take(draws_for(missing, share));
+        const std::size_t parts = std::clamp(drawn.size() / least_of_a_part, std::size_t{1}, most_parts);
+        for (std::size_t i = 0; i < parts; ++i) {
+            const std::size_t first = i * drawn.size() / parts, end = (i + 1) * drawn.size() / parts;
+            if (!judge(std::span(drawn).subspan(first, end - first), runs, looked, sample)) return std::nullopt;
+            sample.too_few = has_too_few(question, wanted, sample);
+            sample.refuted = is_refuted(question.risk, wanted, sample.judged);
+            if (sample.too_few || sample.refuted) return sample;
         }
-        sample.drawn.insert(sample.drawn.end(), drawn.begin(), drawn.end());
     }
+    sample.too_few = sample.drawn.size() > question.runs / largest_part;
     return sample;
+}
+
+/// What the first question would be about, as far as it is drawn.
+void take_down_refuted(std::vector<Judged> judged, double risk, RiskEvidence& evidence) {
+    sort_by_score(judged);
+    evidence.judged = std::min(fewest_judged(risk), std::ssize(judged));
+    evidence.changed =
+        std::count_if(judged.begin(), judged.begin() + evidence.judged, [](const Judged& one) { return one.changed; });
+    evidence.bound = analysis::most_rate(evidence.changed, evidence.judged, confidence);
 }
 
 /// Asks about more and more candidates, by falling score, and takes down the last answer that is below the risk. Those
 /// of one score go together; the first question is about as many as can be answered so at all.
 void ask(std::vector<Judged> judged, double risk, RiskEvidence& evidence) {
-    std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) { return a.score > b.score; });
+    sort_by_score(judged);
     const std::int64_t fewest = fewest_judged(risk), step = std::max<std::int64_t>(1, fewest / 10);
     std::int64_t next = fewest, changed = 0;
     for (std::int64_t n = 1; n <= std::ssize(judged); ++n) {
@@ -225,20 +293,28 @@ std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::
         return runs.follow(some, 0) ? std::optional(followed) : std::nullopt;
     };
     if (question.risk == 0 || question.look == 0) return to_limits(own);
-    const std::int64_t wanted = std::max(2 * fewest_judged(question.risk), evidence.runs / 16);
-    if (wanted >= evidence.runs / static_cast<std::int64_t>(largest_part)) return to_limits(own);
+    evidence.least_runs = least_runs(question.risk);
+    if (!is_enough(evidence.runs, question.risk)) return to_limits(own);
     LookedAt looked(question, runs);
-    const auto sample = draw(question, wanted, runs, looked);
+    const auto sample = draw(question, wanted_of(question.risk, evidence.runs), runs, looked);
     if (!sample) return std::nullopt;
     followed.sample = sample->drawn;
+    evidence.drawn = std::ssize(sample->drawn);
     evidence.followed = std::ssize(sample->judged);
-    if (sample->drawn.size() <= question.runs / largest_part) ask(sample->judged, question.risk, evidence);
+    if (sample->refuted)
+        take_down_refuted(sample->judged, question.risk, evidence);
+    else if (!sample->too_few)
+        ask(sample->judged, question.risk, evidence);
     if (!std::isnan(evidence.least_exponent)) evidence.impacts = question.look;
-    if (!looked.look_at(own)) return std::nullopt;
+    if (evidence.impacts > 0 && !looked.look_at(own)) return std::nullopt;
     std::vector<std::size_t> left;
     std::vector<RoughMean> rough;
     for (const std::size_t run : own) {
         if (sample->at_limits[run]) continue;  // it has its verdict
+        if (!looked.has_seen(run)) {
+            left.push_back(run);
+            continue;
+        }
         const auto score = looked.score(run);
         const SeenRun& seen = looked.seen(run);
         const bool is_called = evidence.impacts > 0 && score && *score >= evidence.least_exponent;
@@ -249,8 +325,16 @@ std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::
         else
             left.push_back(run);
     }
+    evidence.means_followed = std::ssize(rough);
     if (!follow_means(question, std::move(rough), runs, left)) return std::nullopt;
     return to_limits(left);
+}
+
+std::int64_t least_runs(double risk) {
+    require_risk(risk);
+    if (risk == 0) return 0;
+    // A sixteenth of so few runs is less than twice the fewest.
+    return static_cast<std::int64_t>(largest_part * draws_for(static_cast<double>(2 * fewest_judged(risk)), 1));
 }
 
 bool has_attracting_steady_mode(const Scene<double>& scene) {

@@ -40,10 +40,13 @@ struct RiskEvidence {
     std::int64_t runs = 0;                  ///< for which it holds
     std::int64_t impacts = 0;               ///< after which chaos is called; 0: at the limits alone
     double least_exponent = analysis::nan;  ///< mean over a cell's runs from which it is called; NaN: none
-    std::int64_t followed = 0;              ///< candidates of the sample, which were followed to the limits
-    std::int64_t judged = 0;       ///< those of them from that exponent on (of no call: of the first question) …
-    std::int64_t changed = 0;      ///< … and of these so many have another verdict at the limits
-    double bound = analysis::nan;  ///< the share of such runs among all that are called, at most (95 %)
+    std::int64_t least_runs = 0;      ///< fewer are all followed to the limits (least_runs below); 0: no look is early
+    std::int64_t drawn = 0;           ///< runs of the sample
+    std::int64_t followed = 0;        ///< candidates among them, which were followed to the limits
+    std::int64_t judged = 0;          ///< those of them from that exponent on (of no call: of the first question) …
+    std::int64_t changed = 0;         ///< … and of these so many have another verdict at the limits
+    double bound = analysis::nan;     ///< the share of such runs among all that are called, at most (95 %)
+    std::int64_t means_followed = 0;  ///< own runs that are called and whose mean was followed on
 };
 
 /// What is asked of runs that are numbered from 0, `each` after another of one cell.
@@ -89,12 +92,18 @@ std::int64_t early_look(const analysis::ClassifyOptions& limits);
 /// The last look within the transient's impacts, from which on a verdict is one of the limits; 0: none is.
 std::int64_t last_look(const analysis::ClassifyOptions& limits);
 
+/// From so many runs on, all of them chaotic early, a sample tells of the risk: a third of them are twice as many as
+/// the first question is about, and a twentieth more. 0 for a risk of 0. @throws std::invalid_argument as
+/// follow_at_risk
+std::int64_t least_runs(double risk);
+
 /// Follows runs at a risk; where the sample would be more than a third of them, to the limits. A pure function of the
 /// question and of what `follow` gives. None if that was stopped. Those whose mean is followed on can only come nearer
 /// to their verdict at the limits: the bound is of all that are called at the first look.
 ///   own  the runs that are wanted, whole cells: all or, of a part of the work, some of all that are asked about
 /// Cost: all runs to the look, a sample of 1/16 of all (of small maps up to 6/risk) to the limits, and what is not
-/// called.
+/// called. Where the sample shows that nothing will be called (but for a chance of 1/1000: that only calls fewer), the
+/// others go to the limits at once.
 /// @throws std::invalid_argument unless 0 ≤ risk < 1
 std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::span<const std::size_t> own,
                                              const RunsAtRisk& runs);

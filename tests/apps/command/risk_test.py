@@ -33,9 +33,12 @@ def bound(changed, judged):
 
 class Risk(InFolder):
     def check_evidence(self, evidence, runs, risk):
-        self.assertEqual(list(evidence), ["runs", "impacts", "least_exponent", "followed", "judged", "changed", "bound"])
+        self.assertEqual(list(evidence), ["runs", "impacts", "least_exponent", "least_runs", "drawn", "followed", "judged", "changed",
+                                          "bound", "means_followed"])
         self.assertEqual((evidence["runs"], evidence["impacts"]), (runs, EARLY))
-        self.assertLess(evidence["followed"], runs)
+        self.assertLess(evidence["drawn"], runs / 3)
+        self.assertGreaterEqual(runs, evidence["least_runs"])
+        self.assertLessEqual(evidence["followed"], evidence["drawn"])
         self.assertLessEqual(evidence["judged"], evidence["followed"])
         self.assertAlmostEqual(evidence["bound"], bound(evidence["changed"], evidence["judged"]), places=9)
         self.assertLess(evidence["bound"], risk)
@@ -104,9 +107,11 @@ class Sweep(Risk):
         small = f"sweep {SCENE} --alpha 0.3 --grid beta=0.4,0.5 {LIMITS}"
         at_risk = document(f"{small} --risk 0.01")
         self.assertEqual(at_risk["cells"], document(small)["cells"])
-        self.assertEqual(at_risk["risk_evidence"], [{"runs": 2, "impacts": 0, "least_exponent": None, "followed": 0,
-                                                     "judged": 0, "changed": 0, "bound": None}])
-        self.assertIn("all 2 runs were followed to the limits", run(f"{small} --risk 0.01").stdout)
+        # ln 0.025/ln 0.99 = 367.04: twice 368 candidates, and a twentieth more, are a third
+        self.assertEqual(at_risk["risk_evidence"], [{"runs": 2, "impacts": 0, "least_exponent": None, "least_runs": 2319, "drawn": 0,
+                                                     "followed": 0, "judged": 0, "changed": 0, "bound": None, "means_followed": 0}])
+        told = " ".join(run(f"{small} --risk 0.01 --error 0.1").stdout.split())
+        self.assertIn("no chaos was called early: so small a risk wants 2319 runs or more, here are 2; --error 0.1 changes nothing", told)
         self.assertIn(f"chaos was called after {EARLY} impacts", " ".join(run(SWEEP).stdout.split()))
 
 
@@ -145,7 +150,10 @@ class Others(Risk):
         plain, known = document(f"{runs} --risk 0.3"), document(f"{runs} --risk 0.3 --error {error}")
         self.assertEqual(known["settings"]["error"], error)
         self.assertNotIn("error", plain["settings"])
-        self.assertEqual(known["risk_evidence"], plain["risk_evidence"])
+        (told,), (evidence,) = known["risk_evidence"], plain["risk_evidence"]
+        self.assertEqual({**told, "means_followed": 0}, evidence)
+        self.assertGreaterEqual(told["means_followed"], sum(a != b for a, b in zip(plain["runs"], known["runs"])))
+        self.assertIn(f"means of {told['means_followed']} were followed on", " ".join(run(f"{runs} --risk 0.3 --error {error}").stdout.split()))
         ends = set()
         for before, after in zip(plain["runs"], known["runs"]):
             if before == after:
@@ -184,6 +192,16 @@ class Others(Risk):
         self.assertEqual(at_risk, limits)
         self.assertEqual(dared["mode"], "chaotic")
         self.assertLess(dared["impacts"], 11_080)
+        self.assertIn("of one run alone nothing tells a risk of 0.5", " ".join(run(f"{one} --risk 0.5").stdout.split()))
+        self.assertNotIn("of one run alone", run(f"{one} --risk 0.92").stdout)
+
+    def test_where_few_runs_are_chaotic_it_is_said_that_these_are_too_few(self):
+        # A fifth of the columns is chaotic.
+        command = (f"sweep {SCENE} --grid alpha=0.15,0.6,0.65,0.7,0.75 --beta 0.5 --runs 60 {LIMITS}")
+        (evidence,) = document(f"{command} --risk 0.2")["risk_evidence"]
+        self.assertEqual((evidence["runs"], evidence["impacts"], evidence["judged"]), (300, 0, 0))
+        self.assertLess(evidence["followed"], 0.4 * evidence["drawn"])
+        self.assertIn("candidates, too few to tell so small a risk", " ".join(run(f"{command} --risk 0.2").stdout.split()))
 
 
 class WrongInput(InFolder):

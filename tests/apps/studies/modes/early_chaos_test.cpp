@@ -30,14 +30,16 @@ struct Population {
     std::vector<double> leaves, exponents;
     std::vector<int> kept = {};      ///< how often a run's verdict at the look was kept
     std::vector<int> followed = {};  ///< how often a run was followed to the limits
+    std::vector<int> looked = {};    ///< how often it was followed to a look
 
     RunsAtRisk at_risk() {
         kept.assign(leaves.size(), 0);
         followed.assign(leaves.size(), 0);
+        looked.assign(leaves.size(), 0);
         return {[this](std::span<const std::size_t> runs, std::int64_t to) -> std::optional<std::vector<SeenRun>> {
                     std::vector<SeenRun> seen;
                     for (const std::size_t run : runs) {
-                        if (to == 0) ++followed[run];
+                        ++(to == 0 ? followed : looked)[run];
                         const bool chaotic = leaves[run] > (to > 0 ? static_cast<double>(to) : limits);
                         seen.push_back({!chaotic, chaotic, exponents[run]});
                     }
@@ -192,6 +194,75 @@ TEST(AtRisk, ChaosThatStaysIsCalled) {
     const auto [called, changed] = population.called();
     EXPECT_GE(called, 7900 - found->evidence.followed);
     EXPECT_EQ(changed, 0);
+}
+
+int sum_of(const std::vector<int>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), 0);
+}
+
+void expect_one_verdict_each(const Population& population) {
+    for (std::size_t run = 0; run < population.leaves.size(); ++run)
+        EXPECT_EQ(population.kept[run] + population.followed[run], 1) << run;
+}
+
+// The first quarter of the sample tells: the others are not looked at before they are followed to the limits.
+TEST(AtRisk, WhereMostLeaveTheOthersAreNotLookedAt) {
+    std::mt19937_64 engine(6);
+    for (const double risk : {0.01, 0.05}) {
+        Population population = population_of(engine, 3000, 1);
+        const auto found = follow_at_risk(question_of(population, risk), all_of(population), population.at_risk());
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->evidence.impacts, 0);
+        EXPECT_GT(found->evidence.changed, 0);
+        EXPECT_GT(found->evidence.bound, risk);
+        EXPECT_LE(found->evidence.judged, found->evidence.followed);
+        EXPECT_LT(found->evidence.drawn, 600);
+        EXPECT_LT(sum_of(population.looked), 4 * 600);  // with those of their cells
+        expect_one_verdict_each(population);
+    }
+}
+
+TEST(AtRisk, WhereFewAreCandidatesTheOthersAreNotLookedAt) {
+    std::mt19937_64 engine(7);
+    Population population = population_of(engine, 3000, 0);
+    for (std::size_t run = 0; run < population.leaves.size(); ++run)
+        if (run / 4 % 20 != 1) population.leaves[run] = 0;
+    const auto found = follow_at_risk(question_of(population, 0.05), all_of(population), population.at_risk());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->evidence.impacts, 0);
+    EXPECT_EQ(found->evidence.judged, 0);
+    EXPECT_LT(found->evidence.followed, 0.1 * static_cast<double>(found->evidence.drawn));
+    EXPECT_LT(sum_of(population.looked), 4 * 600);
+    expect_one_verdict_each(population);
+}
+
+// A risk that is met is not taken for one that is not: where one run in a hundred leaves, or in thirty.
+TEST(AtRisk, ARiskThatIsMetIsNotGivenUp) {
+    std::mt19937_64 engine(8);
+    int met = 0;
+    for (int i = 0; i < 200; ++i) {
+        Population population = population_of(engine, 750, i % 2 == 0 ? 0.03 : 0.1);
+        const auto found =
+            follow_at_risk(question_of(population, 0.1, engine()), all_of(population), population.at_risk());
+        ASSERT_TRUE(found);
+        met += found->evidence.impacts > 0 ? 1 : 0;
+    }
+    EXPECT_GE(met, 195);
+}
+
+TEST(LeastRuns, AreThoseOfWhichATwiceAskedSampleIsAThird) {
+    EXPECT_EQ(least_runs(0.1), 228);  // ln 0.025/ln 0.9 = 35.01: 36 twice and a twentieth more, 76, thrice
+    EXPECT_EQ(least_runs(0), 0);
+    EXPECT_THROW(least_runs(1), std::invalid_argument);
+    std::mt19937_64 engine(9);
+    for (const std::size_t runs : {std::size_t{224}, std::size_t{228}}) {
+        Population population = population_of(engine, runs / 4, 0);
+        for (double& life : population.leaves) life = 1e9;
+        const auto found = follow_at_risk(question_of(population, 0.1), all_of(population), population.at_risk());
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->evidence.least_runs, 228);
+        EXPECT_EQ(found->evidence.impacts, runs < 228 ? 0 : look);
+    }
 }
 
 // Errors fall with the root of the impacts, by a factor that is the run's own: each called run is followed to the first

@@ -127,7 +127,7 @@ void FilmOptions::add_to(Flags& command) {
 std::optional<studies::Floor> FilmOptions::known_floor() const {
     if (floor.empty()) return std::nullopt;
     for (const studies::Floor one : {studies::Floor::dish, studies::Floor::table})
-        if (floor == studies::name_of(one)) return one;
+        if (floor == name_of(one)) return one;
     throw BadInput(fmt::format("floor = {} is outside its range: dish, table", floor));
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,10 +49,6 @@ analysis::DraggedArcs drag_on(Floor floor, Frames frames, double period, const F
 }
 
 }  // namespace
-
-std::string_view name_of(Floor floor) {
-    return floor == Floor::dish ? "dish" : "table";
-}
 
 FilmDrag film_drag(Frames frames, double period, const FilmArcs& arcs, const FilmedScene& scene, const DishMotion& dish,
                    std::optional<Floor> given) {

@@ -3,19 +3,14 @@
 
 #include "analysis/fits/floor_drag.hpp"
 #include "apps/studies/fits/dish_motion.hpp"
+#include "map/model/scene.hpp"
 
 #include <optional>
 #include <span>
-#include <string_view>
 
 namespace swirl::studies {
 
-/// On what the body moves.
-enum class Floor {
-    dish,  ///< it moves with the dish
-    table  ///< it stands still, and the wall moves about on it
-};
-std::string_view name_of(Floor floor);
+using swirl::Floor;  ///< on what the body moves
 
 struct FilmDrag {
     Floor floor = Floor::dish;

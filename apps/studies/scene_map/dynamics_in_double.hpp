@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 
 namespace swirl::studies {
 
@@ -92,6 +93,7 @@ public:
     }
     analysis::Vector<section_dimension<shape>> along(const State& z, const Step& known,
                                                      Parameter parameter) const override {
+        if (parameter == Parameter::drag) throw std::logic_error("along drag the map is that over a floor that drags");
         if (known.contacts.empty()) return derivative_along(collision_map_, parameter, z, known.collision);
         return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }

@@ -39,40 +39,65 @@ struct Bend {
     double product = 0, square = 0;
 };
 
+/// The dragged times of a part's frames, less their mean, and the places less what the floor carries.
+struct FreePart {
+    double middle = 0;  ///< in time
+    std::vector<double> s;
+    std::vector<Complex> places;
+};
+
+FreePart free_part(std::span<const FilmFrame> frames, const FloorMotion& floor, double drag) {
+    const std::size_t count = frames.size();
+    FreePart part;
+    double mean = 0;
+    for (const FilmFrame& frame : frames) part.middle += frame.time / static_cast<double>(count);
+    for (const FilmFrame& frame : frames) {
+        const Complex turn = std::polar(1.0, floor.rate * frame.time + floor.phase);
+        part.s.push_back(dragged_time(frame.time - part.middle, drag));
+        part.places.push_back(Complex(frame.place[0], frame.place[1]) - amplitude(floor, drag) * turn);
+        mean += part.s.back() / static_cast<double>(count);
+    }
+    for (double& s : part.s) s -= mean;
+    return part;
+}
+
 Bend bend_of(std::span<const FilmFrame> frames, const FloorMotion& floor, double drag) {
     constexpr double step = 1e-4;  // of γ, for the slope of s: its error is of the order of the square
-    const std::size_t count = frames.size();
-    double middle = 0, mean = 0;
-    for (const FilmFrame& frame : frames) middle += frame.time / static_cast<double>(count);
-    std::vector<double> s(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        s[i] = dragged_time(frames[i].time - middle, drag);
-        mean += s[i] / static_cast<double>(count);
-    }
-    std::vector<Complex> left(count), slope(count);
+    FreePart part = free_part(frames, floor, drag);
+    const std::vector<double>& s = part.s;
+    std::vector<Complex>& left = part.places;
     Complex velocity = 0;
     double squares = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double t = frames[i].time - middle;
-        const Complex turn = std::polar(1.0, floor.rate * frames[i].time + floor.phase);
-        s[i] -= mean;
-        left[i] = Complex(frames[i].place[0], frames[i].place[1]) - amplitude(floor, drag) * turn;
-        velocity += s[i] * left[i], squares += s[i] * s[i];
-        slope[i] = (dragged_time(t, drag + step) - dragged_time(t, drag - step)) / (2 * step);
-    }
+    for (std::size_t i = 0; i < s.size(); ++i) velocity += s[i] * left[i], squares += s[i] * s[i];
     velocity /= squares;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Complex turn = std::polar(1.0, floor.rate * frames[i].time + floor.phase);
-        slope[i] = velocity * slope[i] + amplitude_slope(floor, drag) * turn;
+    std::vector<Complex> slope;
+    for (const FilmFrame& frame : frames) {
+        const double t = frame.time - part.middle;
+        const Complex turn = std::polar(1.0, floor.rate * frame.time + floor.phase);
+        slope.push_back(velocity * (dragged_time(t, drag + step) - dragged_time(t, drag - step)) / (2 * step) +
+                        amplitude_slope(floor, drag) * turn);
     }
     subtract_line(left, s);
     subtract_line(slope, s);
     Bend bend;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < s.size(); ++i) {
         bend.product += (std::conj(slope[i]) * left[i]).real();
         bend.square += std::norm(slope[i]);
     }
     return bend;
+}
+
+/// Σ |residual|² of the places.
+double squares_left(std::span<const FilmFrame> frames, const FloorMotion& floor, double drag) {
+    FreePart part = free_part(frames, floor, drag);
+    subtract_line(part.places, part.s);
+    double sum = 0;
+    for (const Complex& place : part.places) sum += std::norm(place);
+    return sum;
+}
+
+std::span<const FilmFrame> frames_of(std::span<const FilmFrame> frames, const ArcPart& part) {
+    return frames.subspan(part.first, part.last - part.first + 1);
 }
 
 /// Robust standard deviation of what the parts ask for, in units of the noise; 1 or more.
@@ -105,13 +130,12 @@ DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> par
     DragFit fit;
     fit.parts = parts.size();
     if (parts.size() < fewest_parts) return fit;
-    constexpr int most_rounds = 30;
+    constexpr int most_rounds = 100;  // of a wrong floor it falls slowly
     constexpr double settled = 1e-3;  // of the error
     double drag = 0;
     for (int round = 0; round < most_rounds; ++round) {
         std::vector<Bend> bends;
-        for (const ArcPart& part : parts)
-            bends.push_back(bend_of(frames.subspan(part.first, part.last - part.first + 1), floor, drag));
+        for (const ArcPart& part : parts) bends.push_back(bend_of(frames_of(frames, part), floor, drag));
         const double scale = scale_of(bends, noise);
         double product = 0, square = 0, scatter = 0;
         for (const Bend& bend : bends) {
@@ -131,35 +155,74 @@ DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> par
     return fit;
 }
 
+DragFit fit_spin_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, double noise) {
+    std::vector<FilmFrame> turns(frames.begin(), frames.end());
+    for (FilmFrame& frame : turns) frame.place = {frame.place[2], 0, 0};
+    DragFit fit = fit_drag(turns, parts, {0, 1, 0}, noise);  // as places on a line, on a floor that stands still
+    std::vector<double> times;
+    for (const ArcPart& part : parts) times.push_back(frames[part.last].time - frames[part.first].time);
+    if (!(fit.error * quantile(std::move(times), 0.5) < widest_spin_drag)) fit.value = fit.error = nan;
+    return fit;
+}
+
+Drags DraggedArcs::values() const {
+    return {drag.value, std::isnan(spin.value) ? drag.value : spin.value};
+}
+
 DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
                          const FloorMotion& floor, const PartsOf& parts_of) {
     constexpr int rounds = 8;
     constexpr double settled = 0.3;  // of the error: less moves no interval by much
-    DraggedArcs found{{}, straight};
+    DraggedArcs found{{}, {}, straight};
     FilmArcs& film = found.arcs;
-    const auto fit = [&] { found.drag = fit_drag(film.kept, parts_of(film), floor, film.place_noise); };
+    const auto fit = [&] {
+        const std::vector<ArcPart> parts = parts_of(film);
+        found.drag = fit_drag(film.kept, parts, floor, film.place_noise);
+        found.spin = fit_spin_drag(film.kept, parts, film.angle_noise);
+    };
+    const auto moved = [&](const DragFit& one, double now) { return std::abs(one.value - now) > settled * one.error; };
     fit();
     const Eigen::Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
     for (const double factor :
          {3.0, 10.0, 30.0}) {  // bent arcs of little noise are cut into pieces too short for a fit
         if (std::isfinite(found.drag.value)) break;
-        film = fit_arcs(frames, period, {0, floor, factor * noise});
+        film = fit_arcs(frames, period, {{}, floor, factor * noise});
         fit();
     }
-    for (int round = 0; round < rounds; ++round) {
-        if (!(std::abs(found.drag.value - film.drag) > settled * found.drag.error)) break;
-        film = fit_arcs(frames, period, {found.drag.value, floor, Eigen::Vector3d::Zero()});
+    for (int round = 0; round < rounds && std::isfinite(found.drag.value); ++round) {
+        if (!moved(found.drag, film.drags.places) && !moved(found.spin, film.drags.angle)) break;
+        film = fit_arcs(frames, period, {found.values(), floor, straight.least_noise});
         fit();
     }
-    film = std::isfinite(found.drag.value) ? with_drag(film, found.drag.value) : straight;
+    film = std::isfinite(found.drag.value) ? with_drags(film, found.values()) : straight;
     return found;
 }
 
-double cost_of(const FilmArcs& film, double place_noise, double angle_noise) {
-    double cost = cost_of_arc * static_cast<double>(film.arcs.size() + film.outliers);
-    for (const FreeArc& arc : film.arcs)
-        cost += arc.squares / (place_noise * place_noise) + arc.angle_squares / (angle_noise * angle_noise);
-    return cost;
+double floor_worse_by(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, const FloorMotion& floor,
+                      const FloorMotion& other, double noise) {
+    const double drag = fit_drag(frames, parts, floor, noise).value,
+                 other_drag = fit_drag(frames, parts, other, noise).value;
+    if (std::isnan(drag) || std::isnan(other_drag)) return nan;
+    struct Misfit {
+        double freedom, here, there;
+        double least() const { return std::min(here, there); }
+    };
+    std::vector<Misfit> misfits;
+    std::vector<double> shares;
+    for (const ArcPart& part : parts) {
+        const auto seen = frames_of(frames, part);
+        misfits.push_back({2 * static_cast<double>(seen.size()) - 4, squares_left(seen, floor, drag),
+                           squares_left(seen, other, other_drag)});
+        shares.push_back(misfits.back().least() / misfits.back().freedom);
+    }
+    const double variance = std::max(noise * noise, quantile(std::move(shares), 0.5));
+    double worse = 0;
+    for (const Misfit& misfit : misfits) {
+        constexpr double reach = 4;  // standard deviations of χ², which is √(2 · freedom)
+        const double most = misfit.freedom + reach * std::sqrt(2 * misfit.freedom) + reach * reach;
+        if (misfit.least() < most * variance) worse += (misfit.here - misfit.there) / variance;
+    }
+    return worse;
 }
 
 }  // namespace swirl::analysis

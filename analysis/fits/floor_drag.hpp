@@ -41,22 +41,36 @@ DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> par
                  double noise);
 inline constexpr std::size_t fewest_parts = 8;
 
+/// γ_r by the angle alone, likewise; NaN as well where its error is more than `widest_spin_drag` over the median part's
+/// time, as of bodies that hardly turn.
+///   noise  of θ in one frame
+DragFit fit_spin_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, double noise);
+inline constexpr double widest_spin_drag = 0.5;
+
 /// Which parts of the arcs count.
 using PartsOf = std::function<std::vector<ArcPart>(const FilmArcs& arcs)>;
 
 struct DraggedArcs {
-    DragFit drag;
-    FilmArcs arcs;  ///< with drag.value, or those given where that is NaN
+    DragFit drag, spin;  ///< γ and γ_r
+    FilmArcs arcs;       ///< with their values, of a γ_r that is NaN with γ, and those given where γ is NaN
+
+    Drags values() const;
 };
 
-/// γ of a film. Arcs under a drag are no straight lines, and straight ones cut them where noise allows it best, so that
-/// what is left bends too little: frames are divided anew with the γ that was found (fit_arcs) until it stays.
+/// γ and γ_r of a film. Arcs under a drag are no straight lines, and straight ones cut them where noise allows it best,
+/// so that what is left bends too little: frames are divided anew with the drags that were found (fit_arcs) until these
+/// stay.
 ///   straight  arcs of those frames without a drag
 DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
                          const FloorMotion& floor, const PartsOf& parts_of);
 
-/// What fit_arcs() makes least, for noise (x or y, θ) that is given: two films of the same frames differ by how well
-/// their floors describe them. An outlier costs what a line does.
-double cost_of(const FilmArcs& film, double place_noise, double angle_noise);
+/// By how much more the places of these parts differ from one floor's arcs than from another's: the difference of
+/// Σ |residual|² over the parts, each with an A and B of its own and with that floor's γ by the same parts (fit_drag),
+/// in units of σ². σ is the noise, or what the better floor leaves of the median part where that is more. Left out are
+/// parts to which neither floor comes as near as noise does. The angle says nothing: whatever slows the spin, it is the
+/// same on either floor. If `other` is the true one, it exceeds a limit c with a chance of at most Φ(−√c). NaN where a
+/// γ can't be told. O(frames).
+double floor_worse_by(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, const FloorMotion& floor,
+                      const FloorMotion& other, double noise);
 
 }  // namespace swirl::analysis

@@ -22,14 +22,14 @@ struct Track {
     std::vector<Vector3d> places;
     std::vector<bool> after_gap;
     double step = nan;  ///< median, of the times
-    double drag = 0;
+    Drags drags;
 };
 
 /// Adds what the floor carries (sign 1), or takes it off (−1).
 void carry(Track& track, const FloorMotion& floor, double sign) {
-    if (track.drag == 0) return;
+    if (track.drags.places == 0) return;
     for (std::size_t i = 0; i < track.times.size(); ++i)
-        track.places[i] += sign * floor.carried(track.times[i], track.drag);
+        track.places[i] += sign * floor.carried(track.times[i], track.drags.places);
 }
 
 Track track_of(std::span<const FilmFrame> frames, double period) {
@@ -59,19 +59,20 @@ Track track_of(std::span<const FilmFrame> frames, double period) {
 struct Sums {
     std::size_t first = 0;
     double cost_before = 0;  ///< of the lines that end there
-    double count = 0, t = 0, tt = 0;
+    double count = 0;
+    Vector3d t = Vector3d::Zero(), tt = Vector3d::Zero();
     Vector3d z = Vector3d::Zero(), zt = Vector3d::Zero(), zz = Vector3d::Zero();
 
-    void add(double time, const Vector3d& place) {
-        count += 1, t += time, tt += time * time;
-        z += place, zt += place * time, zz += place.cwiseProduct(place);
+    void add(const Vector3d& times, const Vector3d& place) {
+        count += 1, t += times, tt += times.cwiseProduct(times);
+        z += place, zt += place.cwiseProduct(times), zz += place.cwiseProduct(place);
     }
     /// Summed squares of the residuals of x, y and θ.
     Vector3d squares() const {
         if (count < 3) return Vector3d::Zero();
-        const double spread = tt - t * t / count;
-        const Vector3d slope = zt - z * (t / count);
-        return (zz - z.cwiseProduct(z) / count - slope.cwiseProduct(slope) / spread).cwiseMax(0);
+        const Vector3d spread = tt - t.cwiseProduct(t) / count;
+        const Vector3d slope = zt - z.cwiseProduct(t / count);
+        return (zz - z.cwiseProduct(z) / count - slope.cwiseProduct(slope).cwiseQuotient(spread)).cwiseMax(0);
     }
 };
 
@@ -84,11 +85,12 @@ std::vector<std::size_t> divide(const Track& track, const Vector3d& weights) {
     for (std::size_t end = 1; end <= count; ++end) {
         const std::size_t i = end - 1;
         if (track.after_gap[i]) open.clear();
-        open.push_back({i, best[i], 0, 0, 0});
+        open.emplace_back();
+        open.back().first = i, open.back().cost_before = best[i];
         best[end] = infinity;
         std::vector<double> costs;
         for (Sums& sums : open) {
-            sums.add(dragged_time(track.times[i] - track.times[sums.first], track.drag),
+            sums.add(dragged_times(track.times[i] - track.times[sums.first], track.drags),
                      track.places[i] - track.places[sums.first]);
             costs.push_back(sums.cost_before + sums.squares().dot(weights));
             if (costs.back() + cost_of_arc < best[end]) best[end] = costs.back() + cost_of_arc, start[end] = sums.first;
@@ -118,20 +120,20 @@ FreeArc line_through(const Track& track, std::size_t first, std::size_t last) {
     }
     arc.mean_time = arc.start + sum / count;
     arc.middle = track.places[first] + places / count;
-    arc.spread = 0;
-    if (track.drag != 0) {
-        double lag = 0;
-        arc.drag = track.drag;
+    arc.spread.setZero();
+    if (track.drags.any()) {
+        Vector3d lag = Vector3d::Zero();
+        arc.drags = track.drags;
         for (std::size_t i = first; i <= last; ++i) lag += arc.since(track.times[i]);
         arc.lag = lag / count;
     }
     Vector3d products = Vector3d::Zero();
     for (std::size_t i = first; i <= last; ++i) {
-        const double t = arc.since(track.times[i]);
-        arc.spread += t * t;
-        products += t * (track.places[i] - arc.middle);
+        const Vector3d t = arc.since(track.times[i]);
+        arc.spread += t.cwiseProduct(t);
+        products += t.cwiseProduct(track.places[i] - arc.middle);
     }
-    if (arc.count > 1) arc.velocity = products / arc.spread;
+    if (arc.count > 1) arc.velocity = products.cwiseQuotient(arc.spread);
     arc.squares = arc.angle_squares = 0;
     for (std::size_t i = first; i <= last && arc.count > 1; ++i) {
         const Vector3d residual = track.places[i] - arc.at(track.times[i]);
@@ -214,9 +216,10 @@ std::vector<bool> outliers_of(const Track& track, const std::vector<FreeArc>& ar
         if (arcs[k].count > 2 || before.count < 3 || after.count < 3 || arcs[k].after_gap || after.after_gap) continue;
         const double time = arcs[k].mean_time;
         const double place = std::sqrt(before.share(time) + after.share(time));
-        const double speed = std::sqrt(1 / before.spread + 1 / after.spread);
+        const Vector3d speed = (before.spread.cwiseInverse() + after.spread.cwiseInverse()).cwiseSqrt();
         const Vector3d apart = (before.at(time) - after.at(time)).cwiseQuotient(noise) / place;
-        const Vector3d turned = (before.velocity_at(time) - after.velocity_at(time)).cwiseQuotient(noise) / speed;
+        const Vector3d turned =
+            (before.velocity_at(time) - after.velocity_at(time)).cwiseQuotient(noise.cwiseProduct(speed));
         constexpr double one_line = 22.5, off_line = 25;  // χ²(6) beyond which lies 1 in 1000; χ²(3) and the line's own
         if (apart.squaredNorm() + turned.squaredNorm() > one_line) continue;
         for (std::size_t i = arcs[k].first; i <= arcs[k].last; ++i) {  // a short line may hold one that is not off
@@ -260,10 +263,10 @@ Vector3d FloorMotion::carried_velocity(double time, double drag) const {
 
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options) {
     Track track = track_of(frames, period);
-    track.drag = options.drag;
+    track.drags = options.drags;
     carry(track, options.floor, -1);
     FilmArcs film;
-    film.drag = options.drag, film.floor = options.floor;
+    film.drags = options.drags, film.floor = options.floor, film.least_noise = options.least_noise;
     film.frames = track.times.size();
     if (film.frames < 3) return film;
     Vector3d noise = first_noise(track).cwiseMax(options.least_noise);
@@ -281,11 +284,11 @@ FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOpt
     return film;
 }
 
-FilmArcs with_drag(const FilmArcs& film, double drag) {
+FilmArcs with_drags(const FilmArcs& film, const Drags& drags) {
     FilmArcs other = film;
-    other.drag = drag;
+    other.drags = drags;
     Track track;
-    track.drag = drag;
+    track.drags = drags;
     track.after_gap.assign(film.kept.size(), false);
     for (const FilmFrame& frame : film.kept) track.times.push_back(frame.time), track.places.push_back(frame.place);
     carry(track, film.floor, -1);
@@ -310,7 +313,7 @@ std::vector<Kink> kinks_of(const FilmArcs& film) {
         kink.before = k, kink.earliest = before.end, kink.latest = after.start;
         Vector3d bend = (before.velocity_at(middle) - after.velocity_at(middle)).cwiseQuotient(noise);
         kink.time = middle - apart(middle).dot(bend) / bend.squaredNorm();  // the distance is linear in the time
-        if (film.drag != 0) {                                               // nearly
+        if (film.drags.any()) {                                             // nearly
             bend = (before.velocity_at(kink.time) - after.velocity_at(kink.time)).cwiseQuotient(noise);
             kink.time -= apart(kink.time).dot(bend) / bend.squaredNorm();
         }
@@ -323,8 +326,7 @@ std::vector<Kink> kinks_of(const FilmArcs& film) {
         kink.share = 1 / (1 / a + 1 / b);
         kink.change = kink.velocity_after - kink.velocity_before;
         kink.drift = (kink.velocity_before / a + kink.velocity_after / b) / (1 / a + 1 / b);
-        const double decay_before = before.decay(kink.time), decay_after = after.decay(kink.time);
-        kink.change_share = decay_before * decay_before / before.spread + decay_after * decay_after / after.spread;
+        kink.change_share = before.velocity_share(kink.time) + after.velocity_share(kink.time);
         kinks.push_back(kink);
     }
     return kinks;

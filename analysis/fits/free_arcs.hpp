@@ -35,26 +35,51 @@ struct FloorMotion {
     Eigen::Vector3d carried_velocity(double time, double drag) const;
 };
 
+/// γ of the places, and γ_r of the angle: θ″ = −γ_r θ′. A uniform film of fluid makes them the same.
+struct Drags {
+    double places = 0, angle = 0;
+
+    bool any() const { return places != 0 || angle != 0; }
+};
+
+/// dragged_time() of x, y and θ.
+inline Eigen::Vector3d dragged_times(double time, const Drags& drags) {
+    const double places = dragged_time(time, drags.places);
+    return {places, places, drags.angle == drags.places ? places : dragged_time(time, drags.angle)};
+}
+
 /// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time), or with
 /// a drag middle + velocity (dragged_time(time − mean time) − lag), to which FilmArcs::place_on() adds what the floor
-/// carries.
+/// carries. Numbers for (x, y, θ), of which the angle's differ with its drag.
 struct FreeArc {
     std::size_t first = 0, last = 0;  ///< of the frames that count, both included
     std::size_t count = 0;            ///< frames on it
     double mean_time = nan, start = nan, end = nan;
-    double spread = nan;  ///< Σ since(t)²: the variance of a velocity is σ²/spread
+    Eigen::Vector3d spread = Eigen::Vector3d::Constant(nan);  ///< Σ since(t)²: a velocity's variance is σ²/spread
     Eigen::Vector3d middle = Eigen::Vector3d::Constant(nan), velocity = Eigen::Vector3d::Constant(nan);
     double squares = nan, angle_squares = nan;  ///< summed squares of the residuals of x and y, and of θ
     bool after_gap = false;                     ///< frames are missing before it: what happened there is not known
-    double drag = 0, lag = 0;  ///< mean of the dragged times: 0 without a drag; `velocity` is that at the mean time
+    Drags drags;
+    /// Mean of the dragged times: 0 without a drag; `velocity` is that at the mean time.
+    Eigen::Vector3d lag = Eigen::Vector3d::Zero();
 
-    double since(double time) const { return dragged_time(time - mean_time, drag) - lag; }
-    Eigen::Vector3d at(double time) const { return middle + velocity * since(time); }
+    Eigen::Vector3d since(double time) const { return dragged_times(time - mean_time, drags) - lag; }
+    Eigen::Vector3d at(double time) const { return middle + velocity.cwiseProduct(since(time)); }
     /// Of the velocity at the mean time, what is left of it at another.
-    double decay(double time) const { return drag == 0 ? 1 : std::exp(-drag * (time - mean_time)); }
-    Eigen::Vector3d velocity_at(double time) const { return velocity * decay(time); }
-    /// Variance of at(time) in units of σ².
-    double share(double time) const { return 1 / static_cast<double>(count) + since(time) * since(time) / spread; }
+    Eigen::Vector3d decay(double time) const {
+        if (!drags.any()) return Eigen::Vector3d::Ones();
+        const double places = std::exp(-drags.places * (time - mean_time));
+        return {places, places, std::exp(-drags.angle * (time - mean_time))};
+    }
+    Eigen::Vector3d velocity_at(double time) const { return velocity.cwiseProduct(decay(time)); }
+    /// Variance of x or y of at(time) in units of σ². (The angle's own is this where the drags are the same, and nearly
+    /// so else.)
+    double share(double time) const {
+        const double s = since(time)[0];
+        return 1 / static_cast<double>(count) + s * s / spread[0];
+    }
+    /// That of velocity_at(time), likewise.
+    double velocity_share(double time) const { return std::pow(decay(time)[0], 2) / spread[0]; }
 };
 
 struct FilmArcs {
@@ -65,18 +90,21 @@ struct FilmArcs {
     Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
     std::size_t frames = 0, outliers = 0;  ///< that count, and that lie off a line which goes on behind them
     std::vector<FilmFrame> kept;  ///< those that count, outliers left out, the angle unwound: arcs' first and last
-    double drag = 0;              ///< γ of all arcs
+    Drags drags;                  ///< of all arcs
     FloorMotion floor;
+    Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< as it was given
 
     /// Of the body on the arc, in the laboratory.
-    Eigen::Vector3d place_on(const FreeArc& arc, double time) const { return arc.at(time) + floor.carried(time, drag); }
+    Eigen::Vector3d place_on(const FreeArc& arc, double time) const {
+        return arc.at(time) + floor.carried(time, drags.places);
+    }
     Eigen::Vector3d velocity_on(const FreeArc& arc, double time) const {
-        return arc.velocity_at(time) + floor.carried_velocity(time, drag);
+        return arc.velocity_at(time) + floor.carried_velocity(time, drags.places);
     }
 };
 
 struct ArcOptions {
-    double drag = 0;
+    Drags drags;
     FloorMotion floor;
     Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< σ of x, y and θ is taken for no less
 };
@@ -90,8 +118,8 @@ struct ArcOptions {
 /// arc).
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options = {});
 
-/// The same arcs, each fitted to its frames with another drag. O(frames).
-FilmArcs with_drag(const FilmArcs& film, double drag);
+/// The same arcs, each fitted to its frames with other drags. O(frames).
+FilmArcs with_drags(const FilmArcs& film, const Drags& drags);
 
 /// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
 inline constexpr double cost_of_arc = 25;

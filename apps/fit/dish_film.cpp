@@ -6,6 +6,7 @@
 #include "apps/input/measured_motion.hpp"
 #include "apps/input/measured_series.hpp"
 #include "apps/input/series_columns.hpp"
+#include "apps/input/series_of_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace swirl::apps::fit {
 
@@ -76,6 +78,15 @@ std::vector<std::vector<double>> places_of(const SeriesChoice& choice, const Mea
     return places;
 }
 
+/// Standard deviation of x, y and θ by the rounding of what was written, each part of a step being as likely.
+Eigen::Vector3d noise_of_rounding(const std::vector<std::vector<double>>& places, const MeasuredSeries& turns,
+                                  bool of_marks, double length) {
+    const double uniform = 1 / std::sqrt(12.0);  // standard deviation, of a step
+    const double place = uniform * std::max(rounding_step(places[0]), rounding_step(places[1])) / length;
+    // Of marks it is half of the farthest that four coordinates move the angle, √2 steps over their distance.
+    return {place, place, uniform * turns.angle.resolution / (of_marks ? 2 : 1)};
+}
+
 void take_shape(const FilmOptions& options, DishFilm& film) {
     const auto given = [&](const char* name) { return options.shape.count(name) != 0; };
     if (!given("sides")) throw BadInput("--sides is missing: of the body, 3 or more, or disk");
@@ -135,7 +146,9 @@ void FilmOptions::require_none() const {
     const auto of_shape =
         std::find_if(shape.begin(), shape.end(), [](const auto& flag) { return !flag.second.empty(); });
     if (of_shape != shape.end()) throw BadInput(fmt::format("--{} is a film's; give --series FILE", of_shape->first));
-    if (series.given() || !angle.empty() || !series.rows.empty() || !vertex.empty() || !floor.empty())
+    for (const auto& [name, text] : {std::pair{"angle", angle}, {"vertex", vertex}, {"floor", floor}})
+        if (!text.empty()) throw BadInput(fmt::format("--{} is a film's; give --series FILE", name));
+    if (series.given() || !series.rows.empty())
         throw BadInput("columns and how they are read are a film's; give --series FILE");
 }
 
@@ -163,6 +176,7 @@ DishFilm read_film(FilmOptions& options) {
     moving.fits_origin = false;
     const MeasuredSeries turns = read_series(turning);
     const auto places = places_of(moving, turns.angle, film);
+    film.least_noise = noise_of_rounding(places, turns, !turning.marks.empty(), film.length);
     film.rows = turns.rows;
     film.period = turns.angle.period;
     film.rate = turns.swirl_rate;

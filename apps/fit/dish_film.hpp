@@ -38,6 +38,8 @@ struct DishFilm {
     double period = 0;                        ///< of the angle
     studies::FilmedScene scene;
     double inertia_factor = 0;
+    /// Standard deviation of x, y and θ by the rounding of the columns alone.
+    Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< to start from, in R_c: of places less `zero`
     Eigen::Vector2d zero = Eigen::Vector2d::Zero();    ///< what was taken off, in the columns' units
     double length = 1;                                 ///< R_c in the columns' units

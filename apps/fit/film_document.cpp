@@ -35,19 +35,33 @@ Settings drag_of(const studies::FilmFit& film) {
             {"low", found.value - room},
             {"high", found.value + room},
             {"floor", std::string(name_of(drag.floor))},
-            {"floor_decided", drag.floor_told},
+            {"floor_decided", drag.floor_told()},
             {"restitution_shift", studies::unseen_drag_shift(film)}};
+}
+
+/// γ_r, likewise.
+Settings spin_drag_of(const studies::FilmFit& film) {
+    const analysis::DragFit& found = film.drag.with.spin;
+    const double room = analysis::sure_drag * found.error;
+    return {{"value", found.value}, {"low", found.value - room}, {"high", found.value + room}};
 }
 
 std::string drag_in_words(const studies::FilmFit& film) {
     const analysis::DragFit& drag = film.drag.with.drag;
     if (std::isnan(drag.value)) return "can't be told";
     const std::string words = fmt::format("{:.3g} +- {:.2g} of the velocity per 1/omega_s", drag.value, drag.error);
-    if (film.arcs.drag == 0)
+    if (film.arcs.drags.places == 0)
         return fmt::format("{}; arcs are straight (at the upper end of 95 % it would add some {:.1g} to e)", words,
                            studies::unseen_drag_shift(film));
     return words + (film.drag.floor == studies::Floor::dish ? ", of a floor that moves with the dish"
                                                             : ", of a table, which stands still");
+}
+
+std::string spin_drag_in_words(const studies::FilmFit& film) {
+    const analysis::DragFit& drag = film.drag.with.spin;
+    if (std::isnan(drag.value)) return "can't be told";
+    return fmt::format("{:.3g} +- {:.2g} of the spin per 1/omega_s{}", drag.value, drag.error,
+                       film.arcs.drags.angle == 0 ? "; arcs have a constant spin" : "");
 }
 
 /// Usable impacts beyond the first of those that are fitted as one.
@@ -80,7 +94,8 @@ Settings film_settings(const FilmReport& report) {
             {"swirl_phase", film.dish.phase},
             {"vertex", film.dish.mark},
             {"off_wall", film.dish.off_wall},
-            {"arcs_drag", film.arcs.drag},
+            {"arcs_drag", film.arcs.drags.places},
+            {"arcs_spin_drag", film.arcs.drags.angle},
             {"floor_radius", film.arcs.floor.radius},
             {"floor_rate", film.arcs.floor.rate},
             {"floor_phase", film.arcs.floor.phase},
@@ -183,6 +198,7 @@ std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm&
 
 void write_json(JsonWriter& json, const FilmReport& report) {
     write_json(json, "drag", drag_of(report.film));
+    write_json(json, "spin_drag", spin_drag_of(report.film));
     write_json(json, "film", film_settings(report));
     write_json(json, "kinks_left_out", counts_of(report.film));
     json.list("commands", report.commands, JsonLayout::rows);
@@ -193,6 +209,7 @@ void write_record(const RecordGroup& root, const FilmReport& report) {
     write_attributes(group, film_settings(report));
     write_attributes(group.group("left_out"), counts_of(report.film));
     write_attributes(group.group("drag"), drag_of(report.film));
+    write_attributes(group.group("spin_drag"), spin_drag_of(report.film));
     write_record(root.group("frames"), frame_table(), report.source.frames);
     write_record(root.group("arcs"), arc_table(), in_laboratory(report.film.arcs));
     write_record(root.group("kinks"), kink_table(), report.film.impacts);
@@ -214,6 +231,7 @@ void print_film(const FilmReport& report) {
                    ? fmt::format(", and on it best with alpha = {:.4g} +- {:.1g}", film.size->alpha, film.size->error)
                    : "");
     fmt::print("{}\n", wrapped(fmt::format("  floor's drag    {}", drag_in_words(film)), 18));
+    fmt::print("  spin's drag     {}\n", spin_drag_in_words(film));
     std::vector<std::string> reasons;
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
         if (film.counts[use] > 0)

@@ -40,10 +40,12 @@ noise again are fitted, too: what that does to e and mu is in their intervals. A
 commands that classify the scene found, and sweep over the uncertainty of e and mu.
 
 A floor may drag (`drag`, of the velocity per 1/omega_s): it moves with the dish, or stands still under
-a ring that is moved about (--floor table); the arcs tell which, if they can. Where the drag is surely
-above 0, arcs bend by it, and e and mu are those with it; else arcs are straight. The impacts also tell
-the body's alpha: a note says where it is surely another than the given one, by 0.001 or more, and from
-0.01 on, or where nothing can be fitted, the film is refused, since 1 % in alpha moves e by 0.03.
+a ring that is moved about (--floor table); the places tell which, if they can, and a note says where a
+--floor that is given is not the one. The spin's own decay (`spin_drag`) is by the angle alone. Where the
+drag is surely above 0, arcs bend by both, and e and mu are those with them; else arcs are straight. The
+impacts also tell the body's alpha: a note says where it is surely another than the given one, by 0.001
+or more, and from 0.01 on, or where nothing can be fitted, the film is refused, since 1 % in alpha moves
+e by 0.03.
 
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes

@@ -55,8 +55,41 @@ void note_size(std::vector<std::string>& notes, const FilmReport& report) {
         size_in_words(*report.film.size, report.source.scene.alpha)));
 }
 
-void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bool floor_known) {
-    const analysis::DragFit &drag = film.drag.with.drag, &other = film.drag.on_the_other;
+std::string floor_in_words(studies::Floor floor) {
+    return floor == studies::Floor::dish ? "one that moves with the dish" : "a table, which stands still";
+}
+
+/// Of a sure drag: whether the arcs tell the floor.
+void note_floor(std::vector<std::string>& notes, const studies::FilmDrag& drag, bool given) {
+    const auto other = drag.floor == studies::Floor::dish ? studies::Floor::table : studies::Floor::dish;
+    if (given && drag.floor_contradicted())
+        notes.push_back(
+            fmt::format("--floor {} is not what the film shows: its places are nearer to the arcs of {} (chi^2 is less "
+                        "by {:.3g}); e and mu are those of the floor that was given",
+                        name_of(drag.floor), floor_in_words(other), -drag.worse_by));
+    if (given || drag.floor_told()) return;
+    const analysis::DragFit& there = drag.on_the_other;
+    notes.push_back(fmt::format(
+        "whether the floor moves with the dish or stands still can't be told from these arcs: e and mu are those of "
+        "--floor {}; on {}, the drag {}: see --floor {}",
+        name_of(drag.floor), floor_in_words(other),
+        std::isnan(there.value) ? "can't be told" : fmt::format("would be {:.3g} +- {:.2g}", there.value, there.error),
+        name_of(other)));
+}
+
+/// A spin that decays otherwise than the floor's drag has it.
+void note_spin_drag(std::vector<std::string>& notes, const analysis::DraggedArcs& found) {
+    constexpr double surely = 3;  // standard errors: 1 film of 400 by noise
+    const analysis::DragFit &drag = found.drag, &spin = found.spin;
+    if (!(std::abs(spin.value - drag.value) > surely * std::hypot(spin.error, drag.error))) return;
+    notes.push_back(
+        fmt::format("the spin decays by {:.3g} +- {:.2g}, not by the floor's drag, {:.3g} +- {:.2g}: a "
+                    "uniform film of fluid gives one number to both",
+                    spin.value, spin.error, drag.value, drag.error));
+}
+
+void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bool floor_given, bool floors_differ) {
+    const analysis::DragFit& drag = film.drag.with.drag;
     if (std::isnan(drag.value))
         notes.push_back(
             fmt::format("the floor's drag can't be told: {} arcs between two impacts are long enough and "
@@ -66,17 +99,13 @@ void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bo
         notes.push_back(
             fmt::format("the body speeds up between impacts, which no floor's drag does: --beta, --scale "
                         "or the times may not be the film's"));
-    if (film.arcs.drag == 0) return;
+    note_spin_drag(notes, film.drag.with);
+    if (!film.arcs.drags.any()) return;
     notes.push_back(
-        "the floor drags: arcs, e and mu are those with its drag; the commands are of the scene without, which they "
-        "do not know");
-    if (film.drag.floor_told || floor_known) return;
-    const std::string on_table =
-        std::isnan(other.value) ? "can't be told" : fmt::format("would be {:.3g} +- {:.2g}", other.value, other.error);
-    notes.push_back(fmt::format(
-        "whether the floor moves with the dish or stands still can't be told from these arcs: e and mu are those of "
-        "--floor dish; on a table, which stands still, the drag {}: see --floor table",
-        on_table));
+        fmt::format("{}: arcs, e and mu are those with this drag; the commands are of the scene without, which they do "
+                    "not know",
+                    film.arcs.drags.places != 0 ? "the floor drags" : "the spin decays between impacts"));
+    if (film.arcs.drags.places != 0 && floors_differ) note_floor(notes, film.drag, floor_given);
 }
 
 void require_fitted(const studies::FilmFit& film, double alpha, const std::string& file) {
@@ -124,8 +153,8 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     film.source = read_film(options);
     exit_when_interrupted();
     const std::optional<studies::Floor> floor = options.known_floor();
-    film.film = studies::fit_film(film.source.frames, film.source.period, film.source.scene, film.source.origin,
-                                  settings, floor);
+    film.film = studies::fit_film(film.source.frames, film.source.period, film.source.scene,
+                                  {film.source.origin, floor, film.source.least_noise}, settings);
     require_fitted(film.film, film.source.scene.alpha, options.series.file);
     film.commands = commands_on(options, film.source, film.film.fit);
     film.simulated = studies::simulated_spin(scene_of(film.source, film.film.fit), film.film);
@@ -139,7 +168,7 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     note_size(report.notes, film);
-    note_drag(report.notes, film.film, floor.has_value() || film.source.scene.beta == 0);
+    note_drag(report.notes, film.film, floor.has_value(), film.source.scene.beta != 0);
     report.settings = {{"columns", options.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},
                        {"parts", static_cast<std::int64_t>(settings.parts)},

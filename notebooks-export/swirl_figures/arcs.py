@@ -54,13 +54,17 @@ def _moved(record, times, middle, name):
     return free, part(carried(times) - carried(middle) - 1j * film["floor_rate"] * carried(middle) * free)
 
 
+def _times(record, start, stop, drag):
+    """From the arcs' starts to their ends, more of them where they bend, the last one twice: there the line is broken."""
+    points = _POINTS_OF_BENT if record.attributes("film").get(drag, 0) else 2
+    return start[:, None] + (stop - start)[:, None] * numpy.append(numpy.linspace(0, 1, points), 1)
+
+
 def _lines(record, begin, end, name):
     """Arcs in (time, x) or (time, y), broken between them."""
     start, stop, middle, place, velocity = (record.column("arcs", of) for of in ("start", "end", "time", name, f"v{name}"))
     kept = overlapping(start, stop, (begin, end))
-    points = _POINTS_OF_BENT if record.attributes("film").get("arcs_drag", 0) else 2
-    steps = numpy.append(numpy.linspace(0, 1, points), 1)
-    times = start[kept, None] + (stop - start)[kept, None] * steps
+    times = _times(record, start[kept], stop[kept], "arcs_drag")
     free, carried = _moved(record, times, middle[kept, None], name)
     places = place[kept, None] + velocity[kept, None] * free + carried
     places[:, -1] = numpy.nan
@@ -102,10 +106,11 @@ def _steps(time, spin, end):
 
 
 def _draw_spin(axes, record, begin, end):
-    start, stop, spin = (record.column("arcs", name) for name in ("start", "end", "S"))
+    start, stop, middle, spin = (record.column("arcs", name) for name in ("start", "end", "time", "S"))
     kept = overlapping(start, stop, (begin, end))
-    lines = numpy.column_stack([start, stop, stop])[kept]
-    spins = numpy.column_stack([spin, spin, numpy.full_like(spin, numpy.nan)])[kept]
+    lines = _times(record, start[kept], stop[kept], "arcs_spin_drag")
+    spins = spin[kept, None] * numpy.exp(-record.attributes("film").get("arcs_spin_drag", 0) * (lines - middle[kept, None]))
+    spins[:, -1] = numpy.nan
     axes.plot(lines.ravel(), spins.ravel(), color=BLACK, lw=2.2, label="of the film's arcs")
     time, simulated = record.column("simulated", "time"), record.column("simulated", "S")
     if time.size:

@@ -37,41 +37,66 @@ bool comes_near(const FilmArcs& film, const ArcPart& part, const FilmedScene& sc
     return false;
 }
 
-analysis::DraggedArcs drag_on(Floor floor, Frames frames, double period, const FilmArcs& arcs, const FilmedScene& scene,
-                              const DishMotion& dish) {
-    const auto parts_of = [&](const FilmArcs& film) {
-        std::vector<ArcPart> parts = analysis::parts_between(film, meeting_kinks(film));
-        std::erase_if(parts, [&](const ArcPart& part) { return comes_near(film, part, scene, dish); });
-        return parts;
-    };
-    const double radius = floor == Floor::dish ? scene.beta : 0;
-    return analysis::settled_drag(frames, period, arcs, {radius, dish.rate, dish.phase}, parts_of);
+std::vector<ArcPart> parts_of(const FilmArcs& film, const FilmedScene& scene, const DishMotion& dish) {
+    std::vector<ArcPart> parts = analysis::parts_between(film, meeting_kinks(film));
+    std::erase_if(parts, [&](const ArcPart& part) { return comes_near(film, part, scene, dish); });
+    return parts;
+}
+
+analysis::FloorMotion motion_of(Floor floor, const FilmedScene& scene, const DishMotion& dish) {
+    return {floor == Floor::dish ? scene.beta : 0, dish.rate, dish.phase};
+}
+
+Floor other_than(Floor floor) {
+    return floor == Floor::dish ? Floor::table : Floor::dish;
+}
+
+/// By how much the other floor is worse, by the arcs that speak most for it; NaN where these or those tell no drag.
+double other_worse_by(Floor floor, const FilmArcs& here, const FilmArcs& there, const FilmedScene& scene,
+                      const DishMotion& dish) {
+    double least = analysis::infinity;
+    for (const FilmArcs* film : {&here, &there}) {
+        const double worse = analysis::floor_worse_by(film->kept, parts_of(*film, scene, dish),
+                                                      motion_of(other_than(floor), scene, dish),
+                                                      motion_of(floor, scene, dish), film->place_noise);
+        if (std::isnan(worse)) return worse;
+        least = std::min(least, worse);
+    }
+    return least;
 }
 
 }  // namespace
 
+bool FilmDrag::floor_told() const {
+    return worse_by > sure_floor;
+}
+
+bool FilmDrag::floor_contradicted() const {
+    return worse_by < -sure_floor;
+}
+
 FilmDrag film_drag(Frames frames, double period, const FilmArcs& arcs, const FilmedScene& scene, const DishMotion& dish,
-                   std::optional<Floor> given) {
+                   const KnownFloor& known) {
+    const auto on = [&](Floor floor) {
+        return analysis::settled_drag(frames, period, arcs, motion_of(floor, scene, dish),
+                                      [&](const FilmArcs& film) { return parts_of(film, scene, dish); });
+    };
     FilmDrag found;
-    found.floor = given.value_or(Floor::dish);
-    found.with = drag_on(found.floor, frames, period, arcs, scene, dish);
-    if (given || scene.beta == 0) return found;
-    analysis::DraggedArcs table = drag_on(Floor::table, frames, period, arcs, scene, dish);
-    const bool any = found.with.drag.surely_drags() || table.drag.surely_drags();
-    if (!any) return found;
-    found.on_the_other = table.drag;
-    if (std::isnan(found.with.drag.value) || std::isnan(table.drag.value)) return found;  // straight arcs cost more
-    const double place_noise = std::min(found.with.arcs.place_noise, table.arcs.place_noise);
-    const double angle_noise = std::min(found.with.arcs.angle_noise, table.arcs.angle_noise);
-    const double worse = analysis::cost_of(found.with.arcs, place_noise, angle_noise) -
-                         analysis::cost_of(table.arcs, place_noise, angle_noise);
-    found.worse_by = -worse;
-    found.floor_told = std::abs(worse) > sure_floor;
-    if (!(worse > sure_floor)) return found;
-    found.floor = Floor::table;
-    found.worse_by = worse;
+    found.floor = known.floor.value_or(Floor::dish);
+    found.with = on(found.floor);
+    if (!known.compared || scene.beta == 0) return found;
+    const Floor other = other_than(found.floor);
+    analysis::DraggedArcs there = on(other);
+    if (!found.with.drag.surely_drags() && !there.drag.surely_drags()) return found;
+    found.on_the_other = there.drag;
+    const double worse = other_worse_by(found.floor, found.with.arcs, there.arcs, scene, dish),
+                 better = other_worse_by(other, there.arcs, found.with.arcs, scene, dish);
+    found.worse_by = better > sure_floor ? -better : worse;
+    if (known.floor || !found.floor_contradicted()) return found;
+    found.floor = other;
+    found.worse_by = better;
     found.on_the_other = found.with.drag;
-    found.with = std::move(table);
+    found.with = std::move(there);
     return found;
 }
 

@@ -14,20 +14,30 @@ using swirl::Floor;  ///< on what the body moves
 
 struct FilmDrag {
     Floor floor = Floor::dish;
-    double worse_by = analysis::nan;  ///< cost of the other floor's arcs less that of these; NaN: not looked for
-    bool floor_told = false;          ///< the other floor is worse by `sure_floor`
+    double worse_by = analysis::nan;  ///< of the other floor, see film_drag(); NaN: not looked for, or not told
     analysis::DraggedArcs with;       ///< on that floor
     analysis::DragFit on_the_other;   ///< NaN where it was not looked for
+
+    bool floor_told() const;          ///< the arcs tell it
+    bool floor_contradicted() const;  ///< the arcs tell the other one, where this was given
 };
 
-/// Cost of arcs (analysis::cost_of), in which floors surely differ: that of one more line, which noise alone does not
-/// reach. The likelihoods then differ by e^12.
-inline constexpr double sure_floor = analysis::cost_of_arc;
+/// Of analysis::floor_worse_by(): the likelihoods then differ by e^6, and the wrong floor is told with a chance of at
+/// most 3 in 10,000 by noise.
+inline constexpr double sure_floor = 12;
 
-/// γ of the floor (analysis::settled_drag), over arcs between two impacts that meet the wall nowhere else. Without a
-/// `given` floor both are tried: that of the lesser cost, the dish's own where no drag is sure.
+/// What is known of the floor beforehand.
+struct KnownFloor {
+    std::optional<Floor> floor;
+    bool compared = true;  ///< with the other one
+};
+
+/// γ of the floor and γ_r of the spin (analysis::settled_drag), over arcs between two impacts that meet the wall
+/// nowhere else. Both floors are tried, and compared by the places alone (analysis::floor_worse_by) on the arcs that
+/// each of them makes of the film: one is told where the other is worse by `sure_floor` on both. Without a floor that
+/// is given it is the one that is told, the dish's own where none is, or no drag is sure on either.
 ///   arcs  of those frames, straight
 FilmDrag film_drag(std::span<const analysis::FilmFrame> frames, double period, const analysis::FilmArcs& arcs,
-                   const FilmedScene& scene, const DishMotion& dish, std::optional<Floor> given);
+                   const FilmedScene& scene, const DishMotion& dish, const KnownFloor& known);
 
 }  // namespace swirl::studies

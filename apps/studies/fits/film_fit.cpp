@@ -154,12 +154,21 @@ FilmFitOutcome without_impacts(FilmFit& film, std::span<const analysis::FilmFram
     return FilmFitOutcome::few_impacts;
 }
 
-/// Whether the floor's drag is looked for.
+/// How the drags are looked for.
 struct DragSearch {
-    bool sought = true;
-    bool certain = false;        ///< arcs bend by it even where it is not sure
-    std::optional<Floor> floor;  ///< if it is known
+    KnownFloor floor;
+    std::optional<analysis::Drags> alike;  ///< arcs bend by those of which these are not 0; else by what is sure
 };
+
+/// γ where it is sure, and with it γ_r; else γ_r where that is.
+analysis::Drags sure_drags(const analysis::DraggedArcs& found, const DragSearch& search) {
+    const analysis::Drags values = found.values();
+    if (std::isnan(values.places)) return {};
+    if (search.alike)
+        return {search.alike->places != 0 ? values.places : 0, search.alike->angle != 0 ? values.angle : 0};
+    if (found.drag.surely_drags()) return values;
+    return {0, found.spin.surely_drags() ? found.spin.value : 0};
+}
 
 /// The dish by the kinks of the arcs; false: there are too few.
 bool find_dish(FilmFit& film, const FilmedScene& scene, const Vector2d& origin) {
@@ -171,34 +180,73 @@ bool find_dish(FilmFit& film, const FilmedScene& scene, const Vector2d& origin) 
     return true;
 }
 
-/// Arcs, dish and drag in turn: the dish is by the arcs' kinks, and the drag moves both.
+/// Arcs, dish and drag in turn: the dish is by the arcs' kinks, and the drag moves both. The arcs bend by what of
+/// film.drag is sure, and are straight where nothing is.
 bool find_arcs(FilmFit& film, std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-               const Vector2d& origin, const DragSearch& search) {
+               const FilmSetting& setting, const DragSearch& search) {
     constexpr int rounds = 3;
     constexpr double settled = 0.3;  // of the drag's error
-    const analysis::FilmArcs straight = film.arcs = analysis::fit_arcs(frames, period);
-    if (!find_dish(film, scene, origin)) return false;
-    for (int round = 0; search.sought && round < rounds; ++round) {
+    const analysis::FilmArcs straight = film.arcs = analysis::fit_arcs(frames, period, {{}, {}, setting.least_noise});
+    if (!find_dish(film, scene, setting.origin)) return false;
+    if (search.alike && !search.alike->any()) return true;
+    for (int round = 0; round < rounds; ++round) {
         film.drag = film_drag(frames, period, straight, scene, film.dish, search.floor);
-        const analysis::DragFit& drag = film.drag.with.drag;
-        if (!drag.surely_drags() && !(search.certain && std::isfinite(drag.value))) break;
-        const bool stays = std::abs(drag.value - film.arcs.drag) < settled * drag.error;
-        film.arcs = film.drag.with.arcs;
+        const analysis::DraggedArcs& found = film.drag.with;
+        const analysis::Drags drags = sure_drags(found, search), before = film.arcs.drags;
+        if (!drags.any() && !before.any()) return true;
+        film.arcs = drags.any() ? with_drags(found.arcs, drags) : straight;
         if (!find_dish(film, scene, film.dish.origin)) return false;
-        if (stays) break;
+        const auto stays = [](double now, double then, const analysis::DragFit& fit) {
+            return !(std::abs(now - then) > settled * fit.error);
+        };
+        if (!drags.any() ||
+            (stays(drags.places, before.places, found.drag) && stays(drags.angle, before.angle, found.spin)))
+            return true;
     }
     return true;
 }
 
-/// The used impacts as another drag, larger by its error, makes them.
-std::vector<analysis::MeasuredImpact> with_more_drag(const FilmFit& film, const std::vector<Kink>& used,
-                                                     const FilmedScene& scene) {
-    const analysis::FilmArcs arcs = analysis::with_drag(film.arcs, film.arcs.drag + film.drag.with.drag.error);
+/// The used impacts as other drags make them.
+std::vector<analysis::MeasuredImpact> with_other_drags(const FilmFit& film, const std::vector<Kink>& used,
+                                                       const FilmedScene& scene, const analysis::Drags& drags) {
+    const analysis::FilmArcs arcs = analysis::with_drags(film.arcs, drags);
     std::vector<Kink> kinks;
     for (const Kink& kink : analysis::kinks_of(arcs))
         if (kinks.size() < used.size() && kink.before == used[kinks.size()].before) kinks.push_back(kink);
     const FilmNoise noise{arcs.place_noise, arcs.angle_noise};
     return impacts_at(arcs, kinks, scene, refined_dish(kinks, {}, noise, scene, film.dish));
+}
+
+/// The used impacts as each drag by which the arcs bend makes them where it is larger by its error; a γ_r that can't be
+/// told is γ.
+std::vector<std::vector<analysis::MeasuredImpact>> with_more_drag(const FilmFit& film, const std::vector<Kink>& used,
+                                                                  const FilmedScene& scene) {
+    const analysis::DraggedArcs& with = film.drag.with;
+    const bool tied = std::isnan(with.spin.value);
+    std::vector<std::vector<analysis::MeasuredImpact>> moved;
+    analysis::Drags more = film.arcs.drags;
+    if (more.places != 0) {
+        more.places += with.drag.error;
+        if (tied) more.angle += with.drag.error;
+        moved.push_back(with_other_drags(film, used, scene, more));
+    }
+    more = film.arcs.drags;
+    if (more.angle != 0 && !tied) {
+        more.angle += with.spin.error;
+        moved.push_back(with_other_drags(film, used, scene, more));
+    }
+    return moved;
+}
+
+/// Adds so much of how `moved` differ from `impacts`.
+void add_share(std::vector<analysis::MeasuredImpact>& seen, double share,
+               const std::vector<analysis::MeasuredImpact>& moved,
+               const std::vector<analysis::MeasuredImpact>& impacts) {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i].before += share * (moved[i].before - impacts[i].before);
+        seen[i].after += share * (moved[i].after - impacts[i].after);
+        seen[i].offset += share * (moved[i].offset - impacts[i].offset);
+    }
 }
 
 /// The law by the used impacts.
@@ -211,20 +259,17 @@ void fit_law(FilmFit& film, const std::vector<Kink>& used, const FilmedScene& sc
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
     const std::vector<analysis::MeasuredImpact> impacts = impacts_at(film.arcs, used, scene, film.dish);
     const std::vector<analysis::AlikeImpacts> groups = fitted_groups(film, groups_of(impacts));
-    std::vector<analysis::MeasuredImpact> dragged;
-    if (film.arcs.drag != 0) dragged = with_more_drag(film, used, scene);
+    const auto dragged = with_more_drag(film, used, scene);
     settings.resampled = [&](std::uint64_t index) {
         const std::vector<double> weights = analysis::bootstrap_weights(used.size(), settings.seed, index);
         constexpr std::uint64_t dish_after = 1ULL << 24;  // beyond the draws for clouds
-        const Vector3d draws = analysis::normal_draws(settings.seed, dish_after + index, 0);
+        const Vector3d draws = analysis::normal_draws(settings.seed, dish_after + index, 0),
+                       of_drags = analysis::normal_draws(settings.seed, dish_after + index, 1);
         const DishMotion moved =
             with_common_error(refined_dish(used, weights, noise, scene, film.dish), film, used, scene, draws);
         std::vector<analysis::MeasuredImpact> seen = impacts_at(film.arcs, used, scene, moved);
-        for (std::size_t i = 0; i < dragged.size(); ++i) {
-            seen[i].before += draws[2] * (dragged[i].before - impacts[i].before);
-            seen[i].after += draws[2] * (dragged[i].after - impacts[i].after);
-            seen[i].offset += draws[2] * (dragged[i].offset - impacts[i].offset);
-        }
+        for (std::size_t k = 0; k < dragged.size(); ++k)
+            add_share(seen, of_drags[static_cast<Eigen::Index>(k)], dragged[k], impacts);
         analysis::WeighedImpacts drawn = analysis::merged_impacts(seen, weights, groups);
         analysis::move_clouds(drawn, groups, settings.seed, index);
         return drawn;
@@ -235,12 +280,12 @@ void fit_law(FilmFit& film, const std::vector<Kink>& used, const FilmedScene& sc
 
 /// Arcs, dish, impacts and law.
 FilmFit fit_with_size(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                      const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
+                      const FilmSetting& setting, const analysis::ImpactFitSettings& settings,
                       const DragSearch& search) {
     FilmFit film;
-    if (!find_arcs(film, frames, period, scene, origin, search)) {
+    if (!find_arcs(film, frames, period, scene, setting, search)) {
         film.outcome = FilmFitOutcome::few_kinks;
-        look_for_sustained_contact(film, frames, scene, origin);
+        look_for_sustained_contact(film, frames, scene, setting.origin);
         return film;
     }
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
@@ -251,7 +296,7 @@ FilmFit fit_with_size(std::span<const analysis::FilmFrame> frames, double period
     const std::vector<Kink> used = used_kinks(film);
     if (has_another_size(film, scene, most_size_error)) return film;
     if (used.size() < analysis::fewest_impacts)
-        film.outcome = without_impacts(film, frames, scene, origin);
+        film.outcome = without_impacts(film, frames, scene, setting.origin);
     else if (film.dish.off_wall > most_off_wall)
         film.outcome = FilmFitOutcome::no_wall;
     if (film.outcome != FilmFitOutcome::fitted) return film;
@@ -259,15 +304,15 @@ FilmFit fit_with_size(std::span<const analysis::FilmFrame> frames, double period
     const bool is_fitted = film.fit.outcome == analysis::ImpactFitOutcome::fitted;
     const bool is_unpredicted = settings.resamples > 0 && film.fit.predicted < least_predicted;
     if (is_fitted && !is_unpredicted && !(film.fit.scatter > most_scatter)) return film;
-    look_for_sustained_contact(film, frames, scene, origin);
+    look_for_sustained_contact(film, frames, scene, setting.origin);
     if (!is_fitted || is_unpredicted || film.frames_off_wall < near_wall) film.outcome = FilmFitOutcome::no_law;
     return film;
 }
 
 /// A film that is not fitted is one of another size where that is sure at all: no wall is where its impacts are.
 FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings, const DragSearch& search) {
-    FilmFit film = fit_with_size(frames, period, scene, origin, settings, search);
+                 const FilmSetting& setting, const analysis::ImpactFitSettings& settings, const DragSearch& search) {
+    FilmFit film = fit_with_size(frames, period, scene, setting, settings, search);
     const double least = film.outcome == FilmFitOutcome::fitted ? most_size_error : least_size_error;
     if (has_another_size(film, scene, least)) film.outcome = FilmFitOutcome::another_size;
     return film;
@@ -320,7 +365,7 @@ void add_noise_shift(FilmFit& film, const std::vector<FilmFit>& noisier) {
 
 double unseen_drag_shift(const FilmFit& film) {
     const analysis::DragFit& drag = film.drag.with.drag;
-    if (film.arcs.drag != 0) return 0;
+    if (film.arcs.drags.places != 0) return 0;
     if (std::isnan(drag.value)) return analysis::nan;
     std::vector<double> times;
     for (const FilmImpact& impact : film.impacts)
@@ -341,17 +386,18 @@ bool has_another_size(const FilmFit& film, const FilmedScene& scene, double leas
 }
 
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
-                 std::optional<Floor> floor) {
-    FilmFit film = fit_once(frames, period, scene, origin, settings, {true, false, floor});
+                 const FilmSetting& setting, const analysis::ImpactFitSettings& settings) {
+    FilmFit film = fit_once(frames, period, scene, setting, settings, {{setting.floor, true}, {}});
     if (film.outcome != FilmFitOutcome::fitted || settings.resamples == 0) return film;
     analysis::ImpactFitSettings values_alone = settings;
     values_alone.resamples = 0;
-    const DragSearch alike{film.arcs.drag != 0, true, film.drag.floor};
+    const DragSearch alike{{film.drag.floor, false}, film.arcs.drags};
+    FilmSetting found = setting;
+    found.origin = film.dish.origin;
     std::vector<FilmFit> noisier;
     for (std::size_t draw = 0; draw < noisier_films; ++draw)
-        noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene,
-                                   film.dish.origin, values_alone, alike));
+        noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene, found,
+                                   values_alone, alike));
     add_noise_shift(film, noisier);
     return film;
 }

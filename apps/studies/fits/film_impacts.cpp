@@ -60,8 +60,10 @@ analysis::MeasuredImpact measured(const FilmArcs& film, const Kink& kink, const 
     impact.after = in_contact_axes(kink.velocity_after, contact.wall, contact.normal);
     impact.offset << contact.normal[0] * contact.offset[1] - contact.normal[1] * contact.offset[0],
         -contact.normal.dot(contact.offset);
-    impact.error_before = noise / std::sqrt(before.spread) * before.decay(kink.time);
-    impact.error_after = noise / std::sqrt(after.spread) * after.decay(kink.time);
+    const auto error_of = [&](const FreeArc& arc) -> Vector3d {
+        return noise.cwiseQuotient(arc.spread.cwiseSqrt()).cwiseProduct(arc.decay(kink.time));
+    };
+    impact.error_before = error_of(before), impact.error_after = error_of(after);
     // An error along the wall turns the axes, and with the body's own the offset.
     const KinkErrors errors = errors_of(kink, {film.place_noise, film.angle_noise}, scene, contact);
     const double impulse = (impact.after - impact.before).head<2>().norm();
@@ -170,7 +172,7 @@ LabStart<double> start_on(const analysis::FreeArc& arc, const DishMotion& dish) 
 
 std::vector<SpinStep> simulated_spin(const Scene<double>& found, const FilmFit& film) {
     const std::optional<analysis::FreeArc> arc = first_whole_arc(film);
-    if (!arc || film.arcs.drag != 0) return {};
+    if (!arc || film.arcs.drags.any()) return {};
     const double end = (film.arcs.arcs.back().end - arc->mean_time) * film.dish.rate;
     SceneOrbit<double> orbit(found, start_on(*arc, film.dish));
     std::vector<SpinStep> steps = {{arc->mean_time, arc->velocity[2]}};

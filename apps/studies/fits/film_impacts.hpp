@@ -83,7 +83,7 @@ struct FilmFit {
     double frames_off_wall = analysis::nan;  ///< of few kinks or impacts: robust standard deviation of the later frames
     double restitution_shift = 0, friction_shift = 0;  ///< of the fits of noisier films, in the mean
     std::size_t noisier = 0;                           ///< of these films those that could be fitted
-    FilmDrag drag;  ///< of the floor; where it is sure arcs bend by it (arcs.drag), else they are straight
+    FilmDrag drag;                ///< of the floor and the spin; where they are sure arcs bend by them (arcs.drags)
     std::optional<SizeFit> size;  ///< of the body, see size_on_wall()
     analysis::ImpactFit fit;
 };
@@ -116,6 +116,15 @@ inline constexpr double least_predicted = 0.2;
 /// kinks of that contact were among the impacts.
 inline constexpr double most_scatter = 2.5;
 
+/// What is known of how the film was made.
+struct FilmSetting {
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the swirl's centre, nearly
+    std::optional<Floor> floor = {};                   ///< on which the body moves, see film_drag()
+    /// Standard deviation of x, y and θ by the rounding of what was written alone. Exact frames have no other noise,
+    /// and from how they scatter it is not seen: of three of a resting body it is 0.
+    Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();
+};
+
 /// Films with as much noise again that are fitted to see what it does to e and μ.
 inline constexpr std::size_t noisier_films = 3;
 
@@ -126,13 +135,13 @@ inline constexpr std::size_t noisier_films = 3;
 /// (errors before the impact, kinks that are missed, contacts that are turned) grows as its square: films with as much
 /// noise again, of the same covariance, are fitted alike, and the intervals are longer by the mean shift of e and μ,
 /// towards where it came from (SIMEX: Cook & Stefanski, J. Am. Stat. Assoc. 89 (1994) 1314). If they come to another
-/// minimum, the interval holds that, too. A floor's drag that is sure (DragFit::surely_drags) bends the arcs, and its
-/// error moves the impacts of resamples; one that is not is left out of all, as a floor without one. Frames: times in
-/// 1/ω_s (or nearly: the rate is fitted), lengths in R_c.
-///   period  of the angle;   floor  on which the body moves, if it is known, see film_drag()
+/// minimum, the interval holds that, too. A floor's drag that is sure (DragFit::surely_drags) bends the arcs, and with
+/// it the spin's own, which does where it is sure, too; their errors move the impacts of resamples. A drag that is not
+/// sure is left out of all, as if there were none. Frames: times in 1/ω_s (or nearly: the rate is fitted), lengths in
+/// R_c.
+///   period  of the angle
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
-                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings,
-                 std::optional<Floor> floor = {});
+                 const FilmSetting& setting, const analysis::ImpactFitSettings& settings);
 
 // The orbit of the scene that a film tells, from a place of the film on.
 

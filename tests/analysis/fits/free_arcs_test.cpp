@@ -80,7 +80,7 @@ TEST(FreeArcs, NoiseAndErrorsAreThoseOfTheFrames) {
         const FreeArc& arc = film.arcs[kink.before];
         time_squares += std::pow((kink.time - motion.kinks[truth]) / kink.error, 2);
         velocity_squares +=
-            (arc.velocity - motion.velocities[truth - 1]).head<2>().squaredNorm() * arc.spread / (2 * noise * noise);
+            (arc.velocity - motion.velocities[truth - 1]).head<2>().squaredNorm() * arc.spread[0] / (2 * noise * noise);
         ++count;
     }
     ASSERT_GT(count, 350);

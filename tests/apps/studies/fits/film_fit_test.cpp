@@ -48,14 +48,14 @@ TEST(FilmFit, ABodyThatStaysOnTheWallHasNoWrongScale) {
         const Eigen::Vector2d centre = 0.8 * direction(time) + direction(outwards) - 0.3 * direction(turned);
         return Eigen::Vector3d(centre[0], centre[1], turned);
     });
-    const FilmFit film = fit_film(frames, two_pi, scene, Eigen::Vector2d::Zero(), few_resamples());
+    const FilmFit film = fit_film(frames, two_pi, scene, {}, few_resamples());
     EXPECT_TRUE(film.outcome == FilmFitOutcome::few_impacts || film.outcome == FilmFitOutcome::few_kinks);
     EXPECT_LT(film.frames_off_wall, 0.004);  // the noise of place and angle: 0.002 each way
     EXPECT_EQ(film.counts[static_cast<std::size_t>(KinkUse::off_the_wall)], 0U);
     // The same frames in another dish are not on its wall.
     FilmedScene wrong = scene;
     wrong.alpha = 0.6, wrong.beta = 0.2;
-    const FilmFit other = fit_film(frames, two_pi, wrong, Eigen::Vector2d::Zero(), few_resamples());
+    const FilmFit other = fit_film(frames, two_pi, wrong, {}, few_resamples());
     EXPECT_NE(other.outcome, FilmFitOutcome::fitted);
     EXPECT_GT(other.frames_off_wall, near_wall);
 }
@@ -71,7 +71,7 @@ TEST(FilmFit, FlightsThatTurnNowhereNearTheWallHaveAWrongScale) {
         const auto corner = static_cast<std::size_t>(time / step);
         return Eigen::Vector3d((1 - part) * corners[corner] + part * corners[corner + 1]);
     });
-    const FilmFit film = fit_film(frames, two_pi, scene, Eigen::Vector2d::Zero(), few_resamples());
+    const FilmFit film = fit_film(frames, two_pi, scene, {}, few_resamples());
     EXPECT_EQ(film.outcome, FilmFitOutcome::no_wall);
     EXPECT_GT(film.frames_off_wall, near_wall);
 }

@@ -18,7 +18,7 @@ POINT = "--near=-0.0839,0.028,-0.5542,0.8898,-0.9793 --period 1"
 ASKED = {
     "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
     "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100", "orbits": "--max-period 1 --starts 20 --trajectories 1 --collisions 50",
+    "lyapunov": "--transient 50 --collisions 100", "orbits": "--max-period 1 --starts 100 --trajectories 1 --collisions 200",
     "describe": "", "tradeoff": "--budget 1", "certify": POINT,
     "continue": "--from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41",
     "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",

@@ -1,4 +1,5 @@
-"""--drag, --spin-drag and --floor, from outside: drag_test.py SWIRL. What follows a floor that drags, and what refuses it."""
+"""--drag, --spin-drag and --floor, from outside: drag_test.py SWIRL. What follows a floor that drags, and what refuses
+it."""
 
 import json
 import math
@@ -18,7 +19,8 @@ POINT = "--near=-0.0839,0.028,-0.5542,0.8898,-0.9793 --period 1"
 ASKED = {
     "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
     "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100", "orbits": "--max-period 1 --starts 100 --trajectories 1 --collisions 200",
+    "lyapunov": "--transient 50 --collisions 100",
+    "orbits": "--max-period 1 --starts 100 --trajectories 1 --collisions 200",
     "describe": "", "tradeoff": "--budget 1", "certify": POINT,
     "continue": "--from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41",
     "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
@@ -59,7 +61,8 @@ class Drag(unittest.TestCase):
         self.assertEqual([cell["parameters"]["drag"] for cell in cells], [0, 0.1, 0.2])
         columns = document(f"bifurcate {HEXAGON} --along drag=0:0.1:2 --transient 50 --collisions 100")["columns"]
         self.assertEqual([column["parameter"] for column in columns], [0, 0.1])
-        for line in ("boundaries --plane drag=0:1 --plane beta=0.1:0.2", "certify --plane drag=0:1 --plane beta=0.1:0.2"):
+        for line in ("boundaries --plane drag=0:1 --plane beta=0.1:0.2",
+                     "certify --plane drag=0:1 --plane beta=0.1:0.2"):
             command, axes = line.split(" ", 1)
             result = run(f"{command} --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 {axes}")
             self.assertEqual(result.returncode, 2, line)
@@ -88,7 +91,8 @@ class Drag(unittest.TestCase):
                         "drag = 0.1\nspin-drag = 0.3\nfloor = \"table\"\n")
         found = document(f"simulate --scene {file} --collisions 10")
         self.assertEqual([found["scene"][key] for key in ("drag", "spin_drag", "floor")], [0.1, 0.3, "table"])
-        self.assertEqual(found, document(f"simulate {HEXAGON} --drag 0.1 --spin-drag 0.3 --floor table --collisions 10"))
+        flags = f"{HEXAGON} --drag 0.1 --spin-drag 0.3 --floor table"
+        self.assertEqual(found, document(f"simulate {flags} --collisions 10"))
 
     def test_the_spin_falls_in_flight(self):
         """S before an impact, from the impulse, is that after the one before times exp(-gamma_r tau)."""

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,13 +26,22 @@ Eigen::MatrixXcd cyclic_matrix(const ShootingResidual& shooting, Complex multipl
     return m;
 }
 
+constexpr double usual_step = 1e-5;  // rounding/step and step² are both 10⁻¹⁰ or so
+
+/// Over which differences are taken at a step of the map with this margin.
+double difference_step(double margin, double steep_below) {
+    if (!(margin < steep_below)) return usual_step;
+    constexpr double least = 1e-9;  // rounding of DF, 10⁻¹⁶ of it, is 10⁻⁷ of its change
+    const double share = margin / steep_below;
+    return std::max(least, share * share * usual_step);
+}
+
 /// D²F(z; p)(u, ·) and ∂/∂p DF(z; p) u, as one D × (D + 2) matrix, for a real direction u.
 std::optional<Eigen::MatrixXd> change_along(const PlaneMap& map, const Eigen::VectorXd& z, const Eigen::Vector2d& p,
-                                            std::int64_t letter, const Eigen::VectorXd& u) {
+                                            std::int64_t letter, const Eigen::VectorXd& u, double step) {
     const Eigen::Index d = z.size();
     const double size = u.norm();
     if (size == 0) return Eigen::MatrixXd::Zero(d, d + 2);
-    constexpr double step = 1e-5;  // rounding/step and step² are both 10⁻¹⁰ or so
     const auto both = [d](const ShootingStep& at) {
         Eigen::MatrixXd m(d, d + 2);
         m << at.by_state, at.by_parameter;
@@ -84,15 +94,16 @@ CriticalValue critical_value(const ShootingResidual& shooting, Complex multiplie
 
 std::optional<Eigen::VectorXcd> gradient_of(const PlaneMap& map, const Eigen::VectorXd& points,
                                             const Eigen::Vector2d& p, const ShootingResidual& shooting,
-                                            const CriticalValue& value) {
+                                            const CriticalValue& value, double steep_below) {
     const Eigen::Index d = map.dimension, size = points.size();
     Eigen::VectorXcd gradient = Eigen::VectorXcd::Zero(size + 2);
     for (Eigen::Index i = 0; i * d < size; ++i) {
         const Eigen::VectorXd z = points.segment(i * d, d);
         const Eigen::VectorXcd q = value.right.segment(i * d, d);
         const std::int64_t letter = shooting.itinerary[static_cast<std::size_t>(i)];
-        const auto real = change_along(map, z, p, letter, q.real());
-        const auto imaginary = change_along(map, z, p, letter, q.imag());
+        const double over = difference_step(shooting.steps[static_cast<std::size_t>(i)].margin, steep_below);
+        const auto real = change_along(map, z, p, letter, q.real(), over);
+        const auto imaginary = change_along(map, z, p, letter, q.imag(), over);
         if (!real || !imaginary) return std::nullopt;
         const Eigen::RowVectorXcd row = value.left.segment(i * d, d).adjoint() *
                                         (real->cast<Complex>() + Complex(0, 1) * imaginary->cast<Complex>());
@@ -143,19 +154,24 @@ EvenOdd even_odd(const ShootingResidual& shooting, double c, const CriticalBorde
 }
 
 /// Gradients, at a c that is kept apart from ±1: they steer only.
-bool even_odd_gradients(const PlaneMap& map, const Eigen::VectorXd& points, const Eigen::Vector2d& p,
-                        const ShootingResidual& shooting, double c, const CriticalBorders& borders, EvenOdd& result) {
+bool even_odd_gradients(const AugmentedSystem& system, const Eigen::VectorXd& y, const ShootingResidual& shooting,
+                        double c, EvenOdd& result) {
+    const Eigen::Index n = system.coordinates();
+    const auto gradient_at = [&](Complex multiplier) {
+        return gradient_of(system.map, y.head(n), y.segment<2>(n), shooting,
+                           critical_value(shooting, multiplier, system.borders), system.steep_below);
+    };
     constexpr double apart_at_least = 1e-6;
     if (std::abs(std::abs(c) - 1) < apart_at_least) c = std::copysign(1 - apart_at_least, c);
     const Complex multiplier = multiplier_of_cosine(c);
-    const auto first = gradient_of(map, points, p, shooting, critical_value(shooting, multiplier, borders));
+    const auto first = gradient_at(multiplier);
     if (!first) return false;
     if (std::abs(c) < 1) {
         result.even_gradient = first->real();
         result.odd_gradient = first->imag() / multiplier.imag();
         return true;
     }
-    const auto second = gradient_of(map, points, p, shooting, critical_value(shooting, 1.0 / multiplier, borders));
+    const auto second = gradient_at(1.0 / multiplier);
     if (!second) return false;
     result.even_gradient = 0.5 * (*first + *second).real();
     result.odd_gradient = (*first - *second).real() / (multiplier.real() - 1 / multiplier.real());
@@ -167,7 +183,7 @@ bool add_pair(const AugmentedSystem& system, const Eigen::VectorXd& y, ShootingR
     const Eigen::Index n = system.coordinates();
     const double c = y[n + 2];
     EvenOdd here = even_odd(shooting, c, system.borders);
-    if (!even_odd_gradients(system.map, y.head(n), y.segment<2>(n), shooting, c, system.borders, here)) return false;
+    if (!even_odd_gradients(system, y, shooting, c, here)) return false;
     constexpr double h = 1e-5;
     const EvenOdd above = even_odd(shooting, c + h, system.borders), below = even_odd(shooting, c - h, system.borders);
     shooting.gap[n] = here.even;
@@ -182,7 +198,7 @@ bool add_pair(const AugmentedSystem& system, const Eigen::VectorXd& y, ShootingR
 bool add_real(const AugmentedSystem& system, const Eigen::VectorXd& y, ShootingResidual& shooting) {
     const Eigen::Index n = system.coordinates();
     const CriticalValue value = critical_value(shooting, system.multiplier(y), system.borders);
-    const auto gradient = gradient_of(system.map, y.head(n), y.segment<2>(n), shooting, value);
+    const auto gradient = gradient_of(system.map, y.head(n), y.segment<2>(n), shooting, value, system.steep_below);
     if (!gradient) return false;
     shooting.gap[n] = value.g.real();
     shooting.jacobian.row(n) = gradient->real().transpose();

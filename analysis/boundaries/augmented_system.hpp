@@ -34,9 +34,10 @@ CriticalValue critical_value(const ShootingResidual& shooting, std::complex<doub
 /// ∂g/∂(Z, p) = −p*(∂M)q, kD + 2 long. The second derivatives are central differences of the exact first ones along
 /// q, good to 10⁻⁹ or so: they steer, g itself is exact. Cost: 2k steps of the map for a real q, 4k for a complex one.
 /// Empty where the map ends beside the cycle.
+///   steep_below  see AugmentedSystem
 std::optional<Eigen::VectorXcd> gradient_of(const PlaneMap& map, const Eigen::VectorXd& points,
                                             const Eigen::Vector2d& p, const ShootingResidual& shooting,
-                                            const CriticalValue& value);
+                                            const CriticalValue& value, double steep_below);
 
 /// Borders from the null vectors at a cycle that has the multiplier, or nearly: their real parts, turned so that these
 /// are largest. Without `before` by inverse iteration.
@@ -56,6 +57,9 @@ struct AugmentedSystem {
     std::size_t period = 1;
     Eigen::Vector2d unit{1, 1};  ///< of the parameters, in the arclength: the plane's widths
     CriticalBorders borders;
+    /// Where DF grows as 1/margin (ShootingStep), as towards a vanishing impact, it changes within margin²: below this
+    /// margin differences are taken over (margin/steep_below)² of their length. 0: nowhere.
+    double steep_below = 0;
 
     Eigen::Index coordinates() const { return map.dimension * static_cast<Eigen::Index>(period); }
     /// y of a cycle.

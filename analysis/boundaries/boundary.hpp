@@ -69,6 +69,7 @@ struct BoundaryOptions {
     double longest_step = 0.02;
     double shortest_step = 1e-9;  ///< a step that fails at this length has met a border
     int most_points = 5000;       ///< in each direction
+    double steep_below = 0;       ///< see AugmentedSystem
     /// Higher derivatives of Fᵏ at a cycle in more digits; without it, differences in double.
     std::function<HigherForms(const CyclePoints& points, const Eigen::Vector2d& p)> forms;
     /// Names a border from the last cycle before it and the itinerary found behind it (empty: the map ends, or nothing

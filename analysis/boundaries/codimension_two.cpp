@@ -91,7 +91,8 @@ Complex coefficient_at(const AugmentedSystem& system, const CurvePoint& point, c
 double cusp_function(const AugmentedSystem& system, const CurvePoint& point) {
     const Eigen::Index n = system.coordinates();
     const CriticalValue value = critical_value(point.shooting, 1, system.borders);
-    const auto gradient = gradient_of(system.map, point.y.head(n), point.y.segment<2>(n), point.shooting, value);
+    const auto gradient =
+        gradient_of(system.map, point.y.head(n), point.y.segment<2>(n), point.shooting, value, system.steep_below);
     return gradient ? -(gradient->head(n).array() * value.right.array()).sum().real() : nan;
 }
 

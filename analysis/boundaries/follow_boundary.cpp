@@ -242,7 +242,7 @@ bool begin(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, co
            std::complex<double> multiplier, const BoundaryOptions& options, AugmentedSystem& system,
            CurvePoint& start) {
     if (outside_plane(options.low, options.high, p) > on_edge) return false;
-    system = {kind, map, points.size(), options.high - options.low, {}};
+    system = {kind, map, points.size(), options.high - options.low, {}, options.steep_below};
     const Eigen::VectorXd y = system.unknowns(points, p, multiplier);
     const ShootingResidual shooting = system.shooting(y);
     if (!shooting.alive) return false;
@@ -287,11 +287,13 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
 
 bool is_on_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
                     std::complex<double> multiplier, const BoundaryOptions& options, std::span<const Boundary> known) {
-    AugmentedSystem system{kind, map, points.size(), options.high - options.low, {}};
+    AugmentedSystem system{kind, map, points.size(), options.high - options.low, {}, options.steep_below};
     const Eigen::VectorXd y = system.unknowns(points, p, multiplier);
     for (const Boundary& boundary : known) {
         if (boundary.kind != kind || boundary.period != points.size()) continue;
         for (const BoundaryPoint& point : boundary.points) {
+            const Eigen::Vector2d apart = parameters_of(boundary, point.at.y) - p;
+            if (apart.cwiseQuotient(options.high - options.low).norm() > 2 * options.longest_step) continue;
             Eigen::VectorXd turned;
             if (distance_between(system, point.at.y, y, turned) > 2 * options.longest_step) continue;
             if (is_beside(system, point.at, turned)) return true;

@@ -4,6 +4,7 @@
 #include "analysis/cycles/family.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -33,7 +34,13 @@ void turn(SpecialPoint& special) {
     std::swap(special.itinerary_before, special.itinerary_after);
 }
 
-std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p) {
+namespace {
+
+/// `cycles_at`, of the steps along which there may be a wanted one.
+///   may_hold  (its first point, its length)
+template <class MayHold>
+std::vector<BranchPoint> cycles_of_steps(const ShootingMap& map, const Branch& branch, double p,
+                                         const MayHold& may_hold) {
     std::vector<BranchPoint> found;
     const CurveProblem problem = cycle_problem(map, branch.period(), p);
     const auto gap = [p](const CurvePoint& point) { return point.p() - p; };
@@ -42,7 +49,9 @@ std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch,
         const CurvePoint& b = branch.points[i + 1].at;
         if (a.p() == p) found.push_back(branch.points[i]);
         if (!(gap(a) * gap(b) < 0)) continue;
-        const double h = problem.product(a.tangent, across(map, a, b.points(), b.p()));
+        const Eigen::VectorXd step = across(map, a, b.points(), b.p());
+        if (!may_hold(a, problem.length(step))) continue;
+        const double h = problem.product(a.tangent, step);
         CurvePoint at;
         if (locate(problem, a, h, gap(a), gap(b), gap, at)) found.push_back(branch_point_at(at));
     }
@@ -50,10 +59,22 @@ std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch,
     return found;
 }
 
+}  // namespace
+
+std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p) {
+    return cycles_of_steps(map, branch, p, [](const CurvePoint&, double) { return true; });
+}
+
 std::optional<BranchPoint> find_on_branch(const ShootingMap& map, const Branch& branch, double p,
                                           const CyclePoints& points) {
     if (branch.period() != points.size()) return std::nullopt;
-    for (const auto& cycle : cycles_at(map, branch, p))
+    // What lies on a step is no farther from its beginning than a bent step is long; of one point of k, √k times that.
+    constexpr double bend = 2;
+    const double most = bend * std::sqrt(static_cast<double>(points.size()));
+    const auto is_near = [&](const CurvePoint& from, double length) {
+        return distance_between(map, from.points(), points) <= most * length + same_cycle;
+    };
+    for (const auto& cycle : cycles_of_steps(map, branch, p, is_near))
         if (distance_between(map, cycle.at.points(), points) < same_cycle) return cycle;
     return std::nullopt;
 }

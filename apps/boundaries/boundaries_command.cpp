@@ -19,8 +19,14 @@
 namespace swirl::apps::boundaries {
 
 namespace {
-constexpr int default_max_period = 4, default_lines = 12;
+constexpr int default_max_period = 4;
+
+/// With --all more lines are added where these miss curves.
+int lines_each_way(const BoundariesOptions& options) {
+    return options.lines.value_or(options.all ? 6 : 12);
 }
+
+}  // namespace
 
 const char* const boundaries_details =
     R"(Follows the curves in a plane of two parameters on which cycles bifurcate: fold, flip and neimark-sacker, each once, by
@@ -28,6 +34,14 @@ pseudo-arclength on minimally augmented systems. The curves begin at the special
 --max-period) along --lines lines through the plane each way (diagrams as of `swirl bifurcate`; every branch is followed,
 stable or not), or at those of a record (--from: of continue, bifurcate --branches or boundaries). Along them the
 coefficient of the normal form is listed (`swirl continue --help`).
+
+--all begins at every cycle on the lines, attracting or not: all fixed points with a flight time up to --max-time, from their
+two equations (`swirl describe`), and with --max-period K > 1 the cycles that a search finds at two places on each line
+(`swirl orbits`; how many it missed is estimated). Lines are added beside each line that alone meets some curve, down to a
+quarter of the spacing: a closed curve, or a short one, between lines may still be missed. Where the only impact of a fixed
+point vanishes (vanishing-impact: at alpha + beta = 1, beyond which a body can turn without a touch, or at a flight time of
+2 pi) no curve is followed. A map of modes shows attracting cycles alone, and their curves take a fraction of the time:
+so --attracting is the default.
 
 Points of codimension 2 are cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
 flip-neimark-sacker and double-neimark-sacker. A curve of another kind that crosses there is followed, too, and so is the
@@ -60,7 +74,8 @@ for no contact, so there is no other --accuracy. `swirl plot` draws the record, 
 
 Examples:
   swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.6 --plane beta=0.3:0.6 --max-period 1 --lines 2
-  swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.4:0.6 --plane beta=0.2:0.4 --lines 1 -o curves.h5)";
+  swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.4:0.6 --plane beta=0.2:0.4 --lines 1 -o curves.h5
+  swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.4:0.5 --plane beta=0.4:0.5 --all --max-period 1 --lines 2 --max-time 3)";
 
 void BoundariesOptions::add_to(Flags& command) {
     scene.add_to(command);
@@ -72,9 +87,16 @@ void BoundariesOptions::add_to(Flags& command) {
     command.add_option("--max-period", max_period, "longest period of the cycles on lines (default 4)")
         ->type_name("K")
         ->transform(whole_number(1, 64));
-    command.add_option("--lines", lines, "lines through the plane each way (default 12)")
+    command.add_option("--lines", lines, "lines through the plane each way (default 12, with --all 6)")
         ->type_name("L")
         ->transform(whole_number(1, 10'000));
+    command.add_flag("--all", all,
+                     "begin at all fixed points on the lines, attracting or not: every curve of period 1");
+    command.add_flag("--attracting", attracting, "begin at what orbits on the lines settle on (default)");
+    command
+        .add_option("--max-time", longest,
+                    "longest flight time of --all fixed points, in 1/omega_s (SI units: s; default 12/omega_s)")
+        ->type_name("T");
     add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines")
         ->type_name("FILE.h5");
     add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell")
@@ -85,23 +107,28 @@ void BoundariesOptions::add_to(Flags& command) {
 }
 
 Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
-    return {{"first", plane.axes[0].name},
-            {"first_low", plane.axes[0].low},
-            {"first_high", plane.axes[0].high},
-            {"second", plane.axes[1].name},
-            {"second_low", plane.axes[1].low},
-            {"second_high", plane.axes[1].high},
-            {"max_period", std::int64_t{options.from.empty() ? options.max_period.value_or(default_max_period) : 0}},
-            {"lines", std::int64_t{options.from.empty() ? options.lines.value_or(default_lines) : 0}},
-            {"longest_step", options.longest_step}};
+    Settings settings{
+        {"first", plane.axes[0].name},
+        {"first_low", plane.axes[0].low},
+        {"first_high", plane.axes[0].high},
+        {"second", plane.axes[1].name},
+        {"second_low", plane.axes[1].low},
+        {"second_high", plane.axes[1].high},
+        {"max_period", std::int64_t{options.from.empty() ? options.max_period.value_or(default_max_period) : 0}},
+        {"lines", std::int64_t{options.from.empty() ? lines_each_way(options) : 0}},
+        {"longest_step", options.longest_step}};
+    if (options.all) settings.push_back({"max_time", options.max_time()});
+    return settings;
 }
 
 namespace {
 
 LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
     LineOptions lines;
-    lines.lines = options.lines.value_or(default_lines);
+    lines.lines = lines_each_way(options);
     lines.max_period = static_cast<int>(longest);
+    if (options.all) lines.cycles = LineCycles::all;
+    lines.max_time = options.max_time();
     lines.control = run_control(options.output);
     return lines;
 }
@@ -119,7 +146,23 @@ Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, co
     return agreement;
 }
 
-void print_all(const Plane& plane, const PlaneCurves& found, const std::optional<Agreement>& agreement) {
+/// What no combination of flags allows.
+void check(const BoundariesOptions& options) {
+    options.output.require_double("boundaries works in double");
+    if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
+        throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
+    if (!options.from.empty() && (options.max_period || options.lines))
+        throw BadInput(fmt::format("--{} is of diagrams along lines; --from begins at a record's points in their place",
+                                   options.max_period ? "max-period" : "lines"));
+    if (options.all && options.attracting) throw BadInput("--all and --attracting are both given; give one");
+    if (!options.from.empty() && (options.all || options.attracting))
+        throw BadInput(fmt::format("--{} is of lines; --from begins at a record's points in their place",
+                                   options.all ? "all" : "attracting"));
+    if (options.longest && !options.all) throw BadInput("--max-time goes with --all");
+    options.max_time();
+}
+
+void print_all(const Plane& plane, const FoundCurves& found, const std::optional<Agreement>& agreement) {
     print_curves(plane, found);
     if (agreement) print_agreement(plane, *agreement);
 }
@@ -130,12 +173,7 @@ int boundaries(BoundariesOptions& options) {
     options.scene.read_file(options.output.quiet);
     const Plane plane = plane_from(options.plane);
     const Scene<double> scene = scene_of(options.scene, plane);
-    options.output.require_double("boundaries works in double");
-    if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
-        throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
-    if (!options.from.empty() && (options.max_period || options.lines))
-        throw BadInput(fmt::format("--{} is of diagrams along lines; --from begins at a record's points in their place",
-                                   options.max_period ? "max-period" : "lines"));
+    check(options);
     std::optional<MappedPlane> map;
     if (!options.against.empty()) {
         map = mapped_plane(options.against, scene, plane);
@@ -151,17 +189,22 @@ int boundaries(BoundariesOptions& options) {
         open_record(options.output, "Curves of bifurcations of a swirled polygon",
                     {options.scene.file(), options.from, options.against}, options.scene.units());
     note_interruptions();
-    if (options.from.empty()) starting_points = starting_points_on_lines(scene, plane, lines_of(options, on_lines));
+    if (options.from.empty() && !options.all)
+        starting_points = starting_points_on_lines(scene, plane, lines_of(options, on_lines));
     std::size_t longest = 1;
     for (const StartingPoint& start : starting_points) longest = std::max(longest, start.points.size());
-    if (map && options.from.empty())  // the map's runs have cycles that no line has met
+    if (options.from.empty() && (map || options.all))  // the map's runs, and later lines, have cycles not met yet
         longest = std::max(longest, on_lines);
-    CurveSearch search(scene, plane, {options.longest_step, longest, run_control(options.output)});
-    search.follow(starting_points);
+    CurveSearch search(scene, plane, {options.longest_step, longest, run_control(options.output), options.all});
+    FoundCurves found;
+    if (options.all)
+        found.survey = follow_all_curves(search, scene, plane, lines_of(options, on_lines));
+    else
+        search.follow(starting_points);
     std::optional<Agreement> agreement;
     if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
-    PlaneCurves found = search.found();
-    found.whole = !is_interrupted();
+    found.curves = search.found();
+    found.curves.whole = !is_interrupted();
     if (is_interrupted()) agreement.reset();  // of some cells only
     finish_up();
     if (record) {

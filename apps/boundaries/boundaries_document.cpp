@@ -1,3 +1,4 @@
+#include "analysis/cycles/cycle.hpp"
 #include "analysis/special_values.hpp"
 #include "apps/boundaries/boundaries_command.hpp"
 #include "apps/branches/section_point.hpp"
@@ -7,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -125,6 +128,13 @@ std::vector<CycleRow> special_of(const Curve& curve, std::size_t number) {
     return rows;
 }
 
+/// Does a cycle attract on one side of the curve, somewhere along it?
+bool bounds_attracting(const Curve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const CurveCycle& point) {
+        return !point.multipliers.empty() && std::abs(point.multipliers.front()) < 1 + analysis::neutral_margin;
+    });
+}
+
 Table<Curve> curve_table(const Plane& plane) {
     using F = Field<Curve>;
     const auto points = [plane](JsonWriter& json, const Curve& curve) {
@@ -139,6 +149,8 @@ Table<Curve> curve_table(const Plane& plane) {
     return {{"curve"},
             {{"kind", &Curve::kind, "", "bifurcation, or border of the map"},
              {"period", &Curve::period, "1", "k"},
+             F{"bounds_attracting", bounds_attracting, "",
+               "1: at a point of the curve no multiplier lies outside the unit circle"},
              {"points", points},
              {"special", special},
              {"ends", ends},
@@ -167,10 +179,43 @@ std::string outcome_of(const PlaneCurves& found) {
     return found.whole ? "completed" : "interrupted";
 }
 
+/// What lines met of the curves: `even` lines and those `between` them.
+Settings survey_values(const LineSurvey& survey) {
+    return {{"even", static_cast<std::int64_t>(survey.even)},
+            {"between", static_cast<std::int64_t>(survey.between)},
+            {"curves", static_cast<std::int64_t>(survey.met)},
+            {"curves_of_even", static_cast<std::int64_t>(survey.met_by_even)},
+            {"met_once", static_cast<std::int64_t>(survey.lone)},
+            {"missed_by_even", survey.by_even.missed},
+            {"least_missed_by_even", survey.by_even.least_missed},
+            {"most_missed_by_even", survey.by_even.most_missed}};
+}
+
+Table<CycleSearches> search_table() {
+    return {{"search"},
+            {{"period", &CycleSearches::period, "1", "k"},
+             {"places", &CycleSearches::places, "1", "on lines, where cycles of the period were searched for"},
+             {"cycles", &CycleSearches::found, "1", "found, of all places together"},
+             {"missed", &CycleSearches::missed, "1", "estimate of cycles not found there (Chao 1984)"}}};
+}
+
+void print_survey(const LineSurvey& survey) {
+    fmt::print("{} evenly spaced lines meet {} curves", survey.even, survey.met_by_even);
+    if (survey.by_even.missed >= 0.5)
+        fmt::print("; some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", survey.by_even.missed,
+                   survey.by_even.least_missed, survey.by_even.most_missed);
+    fmt::print("\n{} lines between them meet {} others; {} curves are met by one line alone\n", survey.between,
+               survey.met - survey.met_by_even, survey.lone);
+    for (const CycleSearches& search : survey.searches)
+        fmt::print("cycles of period {}: {} at {} places on lines; some {:.0f} more are to be expected there\n",
+                   search.period, search.found, search.places, search.missed);
+}
+
 }  // namespace
 
 void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
-                           const PlaneCurves& found, const std::optional<Agreement>& agreement) {
+                           const FoundCurves& all, const std::optional<Agreement>& agreement) {
+    const PlaneCurves& found = all.curves;
     print_document([&](JsonWriter& json) {
         write_json(json, "scene", scene_settings_of(scene, plane));
         if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
@@ -179,17 +224,26 @@ void write_curves_document(const BoundariesOptions& options, const Scene<double>
         json.member("seeds", found.starting_points);
         json.member("without_curve", found.without);
         json.list("not_followed", found.left_out);
+        if (all.survey) {
+            write_json(json, "lines", survey_values(*all.survey));
+            write_json(json, "searches", search_table(), all.survey->searches);
+        }
         if (agreement) write_agreement(json, plane, *agreement);
         write_json(json, "settings", settings_of(options, plane));
     });
 }
 
 void write_curves_record(RecordWriter& record, const BoundariesOptions& options, const Scene<double>& scene,
-                         const Plane& plane, const PlaneCurves& found) {
+                         const Plane& plane, const FoundCurves& all) {
+    const PlaneCurves& found = all.curves;
     const auto root = record.root();
     write_attributes(root.group("scene"), scene_settings_of(scene, plane));
     write_attributes(root.group("settings"), settings_of(options, plane));
     write_attributes(root.group("result"), {{"outcome", outcome_of(found)}});
+    if (all.survey) {
+        write_attributes(root.group("lines"), survey_values(*all.survey));
+        if (!all.survey->searches.empty()) write_record(root.group("searches"), search_table(), all.survey->searches);
+    }
     std::size_t longest = 1;
     std::vector<CycleRow> points, special;
     for (std::size_t c = 0; c < found.curves.size(); ++c) {
@@ -206,7 +260,8 @@ void write_curves_record(RecordWriter& record, const BoundariesOptions& options,
         write_cycles(root.group("special"), special_table(plane, longest, coordinates), special, longest);
 }
 
-void print_curves(const Plane& plane, const PlaneCurves& found) {
+void print_curves(const Plane& plane, const FoundCurves& all) {
+    const PlaneCurves& found = all.curves;
     const auto place = [&](const Eigen::Vector2d& p) { return fmt::format("({:.4g}, {:.4g})", p[0], p[1]); };
     fmt::print("curves in ({}, {})\n", plane.axes[0].name, plane.axes[1].name);
     fmt::print("{:>5}  {:<14} {:>6} {:>6}  {:<30}  {}\n", "curve", "kind", "period", "points", "from", "to");
@@ -221,6 +276,7 @@ void print_curves(const Plane& plane, const PlaneCurves& found) {
     }
     fmt::print("{} curves: {}; sought from {} special points, {} of which led to none\n", found.curves.size(),
                counts_of(found.curves), found.starting_points, found.without);
+    if (all.survey) print_survey(*all.survey);
     for (const auto& kind : found.left_out) fmt::print("not followed: {}\n", kind);
     if (!found.whole) fmt::print("interrupted: curves are missing\n");
 }

@@ -126,16 +126,21 @@ std::optional<BorderCurve> follow_border(const ItineraryMap& map, const Plane& p
     return BorderCurve{cycle, analysis::follow_plane_curve(problem, start, options_of(map, plane, cycle, options))};
 }
 
-bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
-           const BorderCurve& curve) {
+std::optional<Eigen::VectorXd> solved_on_border(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle) {
+    analysis::CurvePoint start;
+    if (!begin(map, plane, cycle, border_problem(map, plane, cycle), start)) return std::nullopt;
+    return start.y;
+}
+
+bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const Eigen::VectorXd& solved,
+           const BorderOptions& options, const BorderCurve& curve) {
     if (curve.like.touch != cycle.touch || curve.like.vertices != cycle.vertices) return false;
     const bool touches = cycle.touch == Touch::grazing || cycle.touch == Touch::two_vertices;
     if (touches && curve.like.vertex != cycle.vertex) return false;
     const analysis::CurveProblem problem = border_problem(map, plane, cycle);
-    analysis::CurvePoint start, at;
-    if (!begin(map, plane, cycle, problem, start)) return false;
+    analysis::CurvePoint at;
     for (const auto& point : curve.arc.points) {
-        const Eigen::VectorXd y = turned_to(map, point.y, start.y, layout_of(map, cycle).parameters());
+        const Eigen::VectorXd y = turned_to(map, point.y, solved, layout_of(map, cycle).parameters());
         const Eigen::VectorXd apart = y - point.y;
         if (problem.product(apart, apart) > 4 * options.longest_step * options.longest_step) continue;
         const double along = problem.product(point.tangent, apart);

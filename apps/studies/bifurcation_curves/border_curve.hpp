@@ -35,9 +35,13 @@ std::optional<BorderCurve> follow_border(const ItineraryMap& map, const Plane& p
 /// A pair on the unit circle to 10⁻⁶, as a Neimark–Sacker point has (and a neutral saddle has not).
 bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers);
 
+/// The unknowns of a cycle near this one, solved on the border itself; none if there is none in the plane.
+std::optional<Eigen::VectorXd> solved_on_border(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle);
+
 /// Is the cycle on the curve?
-bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
-           const BorderCurve& curve);
+///   solved  its unknowns (solved_on_border)
+bool is_on(const ItineraryMap& map, const Plane& plane, const BorderCycle& cycle, const Eigen::VectorXd& solved,
+           const BorderOptions& options, const BorderCurve& curve);
 
 Curve curve_of(const ItineraryMap& map, const BorderCurve& curve);
 

@@ -23,6 +23,7 @@ void add_end(const SearchEquations& use, const CurveCycle& last, const std::stri
     const auto shooting =
         analysis::shooting_residual(shooting_map_of(scene_at(use.scene, use.plane, last.parameters)), last.points, 0);
     if (!shooting.alive) return;
+    if (use.follow.to_vanishing_impacts && has_vanishing_impact(shooting)) return;
     name_flights(start, shooting.steps);
     ends.push_back(std::move(start));
 }

@@ -42,6 +42,8 @@ struct FollowOptions {
     double longest_step = 0.02;
     std::size_t longest_period = 1;  ///< of cycles that are followed where curves meet
     RunControl control = {};
+    /// Towards where the only impact of a fixed point vanishes, too (analysis::BoundaryOptions::steep_below).
+    bool to_vanishing_impacts = false;
 };
 
 struct PlaneCurves {
@@ -61,7 +63,10 @@ public:
     /// The curve through every starting point, and the curves that these lead to: borders that smooth curves end on,
     /// fold and flip curves that end on borders, curves that cross others or end on them at their points of
     /// codimension 2. What a stop leaves is what was finished.
-    void follow(const std::vector<StartingPoint>& starting_points);
+    /// @return the curve through each starting point, by a number that is its own; none where none was found
+    std::vector<std::optional<std::size_t>> follow(const std::vector<StartingPoint>& starting_points);
+    /// The number of the curve of which that curve was found to be a part since; else its own.
+    std::size_t whole_of(std::size_t curve) const;
     PlaneCurves found() const;
 
 private:

@@ -19,6 +19,12 @@ using analysis::Boundary;
 
 namespace {
 
+Followed on_known(std::size_t number) {
+    Followed followed;
+    followed.on = number;
+    return followed;
+}
+
 Followed none_found() {
     Followed followed;
     followed.without = true;
@@ -45,7 +51,7 @@ std::optional<Followed> CurvesOfKind::follow_smooth(std::size_t number, const St
     for (const auto& known : smooth_)
         if (analysis::is_on_boundary(use.map, kind, start.points, start.p, start.multiplier, use.smooth,
                                      {known.curve.get(), 1}))
-            return Followed{};
+            return on_known(known.number);
     Boundary boundary;
     const bool found =
         analysis::follow_boundary(use.map, kind, start.points, start.p, start.multiplier, use.smooth, boundary);
@@ -59,8 +65,10 @@ std::optional<Followed> CurvesOfKind::follow_touch(std::size_t number, const Sta
     const SearchEquations& use = *equations_;
     const auto cycle = border_cycle_of(use.words, start);
     if (!cycle) return none_found();
+    const auto solved = solved_on_border(use.words, use.plane, *cycle);
+    if (!solved) return none_found();
     for (const auto& known : borders_)
-        if (is_on(use.words, use.plane, *cycle, use.border, *known.curve)) return Followed{};
+        if (is_on(use.words, use.plane, *cycle, *solved, use.border, *known.curve)) return on_known(known.number);
     auto curve = follow_border(use.words, use.plane, *cycle, use.border);
     if (is_stopped()) return std::nullopt;
     if (!curve) return none_found();
@@ -74,8 +82,10 @@ std::optional<Followed> CurvesOfKind::follow_touch(std::size_t number, const Sta
 /// A curve on which Newton's method failed is met again from beyond, and then followed back over itself.
 template <class Equations>
 Followed CurvesOfKind::add(Known<Equations> found, std::vector<Known<Equations>>& known) const {
-    if (std::any_of(known.begin(), known.end(), [&](const auto& other) { return is_part(found, other); })) return {};
-    Followed followed;
+    const auto whole =
+        std::find_if(known.begin(), known.end(), [&](const auto& other) { return is_part(found, other); });
+    if (whole != known.end()) return on_known(whole->number);
+    Followed followed = on_known(found.number);
     followed.curve = found.listed;
     std::erase_if(known, [&](const auto& other) {
         if (!is_part(other, found)) return false;
@@ -128,8 +138,9 @@ bool CurvesOfKind::is_at(const Boundary& part, std::size_t i, const Boundary& wh
 }
 
 bool CurvesOfKind::is_at(const BorderCurve& part, std::size_t i, const BorderCurve& whole) const {
-    return is_on(equations_->words, equations_->plane,
-                 border_cycle_at(equations_->words, part.like, part.arc.points[i].y), equations_->border, whole);
+    const BorderCycle cycle = border_cycle_at(equations_->words, part.like, part.arc.points[i].y);
+    const auto solved = solved_on_border(equations_->words, equations_->plane, cycle);
+    return solved && is_on(equations_->words, equations_->plane, cycle, *solved, equations_->border, whole);
 }
 
 }  // namespace swirl::studies::bifurcation_curves

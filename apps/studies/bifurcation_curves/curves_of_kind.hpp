@@ -27,7 +27,8 @@ std::optional<CurveKind> curve_kind_of(const StartingPoint& start);
 
 /// What a starting point has led to.
 struct Followed {
-    std::shared_ptr<const Curve> curve;         ///< none: one that is known, or none was found
+    std::shared_ptr<const Curve> curve;  ///< none: one that is known, or none was found
+    std::optional<std::size_t> on;       ///< number of the starting point of the curve through it; none: no curve
     std::shared_ptr<const BorderCurve> border;  ///< the curve with its equations, of one on a border
     std::vector<std::size_t> parts;             ///< numbers of the starting points whose curves were parts of this one
     bool without = false;                       ///< no curve was found

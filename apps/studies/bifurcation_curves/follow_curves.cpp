@@ -50,9 +50,20 @@ public:
     Walk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
         : equations_(std::make_shared<const SearchEquations>(scene, plane, follow)) {}
 
-    void follow(const std::vector<StartingPoint>& starting_points) {
+    std::vector<std::optional<std::size_t>> follow(const std::vector<StartingPoint>& starting_points) {
+        const std::size_t first = numbered_;
         auto next = follow_round(starting_points, "curves");
         while (!next.empty() && !control().is_stopped()) next = follow_round(next, "curves that these lead to");
+        std::vector<std::optional<std::size_t>> through(starting_points.size());
+        for (std::size_t i = 0; i < through.size(); ++i)
+            if (const auto curve = through_.find(first + i); curve != through_.end()) through[i] = curve->second;
+        return through;
+    }
+
+    std::size_t whole_of(std::size_t curve) const {
+        for (auto whole = wholes_.find(curve); whole != wholes_.end(); whole = wholes_.find(curve))
+            curve = whole->second;
+        return curve;
     }
 
     PlaneCurves result() const {
@@ -118,8 +129,12 @@ private:
             if (!round[i]) continue;
             ++result_.starting_points;
             if (round[i]->without) ++result_.without;
+            if (round[i]->on) through_.emplace(first + i, *round[i]->on);
             if (!round[i]->curve) continue;
-            for (const std::size_t part : round[i]->parts) curves_.erase(part);
+            for (const std::size_t part : round[i]->parts) {
+                curves_.erase(part);
+                wholes_.emplace(part, first + i);
+            }
             curves_.emplace(first + i, round[i]->curve);
             found.push_back(std::move(*round[i]));
         }
@@ -151,6 +166,8 @@ private:
     std::map<CurveKind, Known> known_;
     std::size_t numbered_ = 0;                                    ///< starting points so far
     std::map<std::size_t, std::shared_ptr<const Curve>> curves_;  ///< by the number of their starting point
+    std::map<std::size_t, std::size_t> through_;                  ///< curves of starting points
+    std::map<std::size_t, std::size_t> wholes_;                   ///< of curves that are parts those they are parts of
     PlaneCurves result_;                                          ///< but for the curves
 };
 
@@ -159,8 +176,12 @@ CurveSearch::CurveSearch(const Scene<double>& scene, const Plane& plane, const F
 
 CurveSearch::~CurveSearch() = default;
 
-void CurveSearch::follow(const std::vector<StartingPoint>& starting_points) {
-    walk_->follow(starting_points);
+std::vector<std::optional<std::size_t>> CurveSearch::follow(const std::vector<StartingPoint>& starting_points) {
+    return walk_->follow(starting_points);
+}
+
+std::size_t CurveSearch::whole_of(std::size_t curve) const {
+    return walk_->whole_of(curve);
 }
 
 PlaneCurves CurveSearch::found() const {

@@ -27,7 +27,10 @@ struct SearchEquations {
           coordinates(analysis::on_line(map, 0, over.low())),
           words(itinerary_map_of(of, over.parameter(0), over.parameter(1))),
           smooth(smooth_options(of, over, options.longest_step, options.control.stop)),
-          border{options.longest_step, options.control.stop} {}
+          border{options.longest_step, options.control.stop} {
+        // DF is some 50 at u_n = 0.05; differences over 10⁻⁵ are then of its change.
+        if (options.to_vanishing_impacts) smooth.steep_below = 0.05;
+    }
 };
 
 }  // namespace swirl::studies::bifurcation_curves

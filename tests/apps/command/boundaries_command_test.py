@@ -265,6 +265,10 @@ class Wrong(Refusing):
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5", "none.h5"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --max-period 2", "--max-period"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --lines 2", "--lines"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --all --attracting", "both given"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --all --from none.h5", "--all"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --max-time 3", "--max-time goes with --all"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --all --max-time 0", "max-time"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --against none.h5", "none.h5")):
             self.refused(f"boundaries {HEXAGON} {extra}", mention)
 

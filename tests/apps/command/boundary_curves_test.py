@@ -1,7 +1,7 @@
 """swirl boundaries --all against special points that it did not begin at: boundary_curves_test.py SWIRL [--all]
 
 On random lines of a plane every fixed point of `certify --all` is followed by `continue`; each fold, flip and
-Neimark-Sacker point that it finds is to lie on a curve. --all: fourteen scenes, as a table."""
+Neimark-Sacker point that it finds is to lie on a curve. --all: thirteen scenes, as a table."""
 
 import functools
 import json
@@ -49,7 +49,6 @@ CASES = [
     Case("octagon", "--sides 8 --mu 0.5 --restitution 0.95"),
     Case("12 sides", "--sides 12 --mu 0.5 --restitution 0.95"),
     Case("disk", "--sides disk --mu 0.5 --restitution 0.95"),
-    Case("elastic disk", "--sides disk --mu 0.5 --restitution 1"),
 ]
 
 
@@ -88,8 +87,8 @@ def special_points(case, draw):
         fixed = draw.uniform(*case.ranges[other])
         for value in [draw.uniform(*case.ranges[along]) for _ in range(3)]:
             scene = f"{case.scene} --{along} {value!r} --{other} {fixed!r}"
-            listed = document(f"certify {scene} --all --max-time {case.time_limit}")
-            for orbit in listed["orbits"]:
+            listed = json.loads(run(f"certify {scene} --all --max-time {case.time_limit} --json").stdout)
+            for orbit in listed["orbits"]:  # exit code 3: the list is not proven to be whole, its orbits are
                 fixed_points += 1
                 start = ",".join(repr(x) for x in orbit["point"].values())
                 answer = json.loads(run(f"continue {scene} --from={start} --switch 0 --json "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace swirl::apps {
@@ -95,6 +96,30 @@ double decimal_resolution(const std::vector<double>& values) {
     double scale = 1;
     for (int digits = 0; digits <= 12; ++digits, scale *= 10)
         if (multiples(scale)) return 1 / scale;
+    return 0;
+}
+
+double rounding_step(const std::vector<double>& values) {
+    constexpr double off = 1e-6;  // of a step: what differences of numbers in double leave, and no chance does
+    std::vector<double> from_first;
+    double first = std::nan(""), largest = 0;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        if (std::isnan(first)) first = value;
+        from_first.push_back(std::abs(value - first));
+        largest = std::max(largest, from_first.back());
+    }
+    if (!(largest > 0) || !std::isfinite(largest)) return 0;
+    constexpr double finest = 1e-9;
+    for (double step = std::pow(10.0, std::floor(std::log10(largest))); step >= finest * largest; step /= 10) {
+        const bool fits = std::all_of(from_first.begin(), from_first.end(), [&](double value) {
+            return std::abs(value / step - std::round(value / step)) <= off;
+        });
+        if (!fits) continue;
+        long long common = 0;
+        for (const double value : from_first) common = std::gcd(common, std::llround(value / step));
+        return static_cast<double>(common) * step;
+    }
     return 0;
 }
 

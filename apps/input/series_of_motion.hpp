@@ -26,6 +26,11 @@ std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<d
 /// Missing values are left out. O(values).
 double decimal_resolution(const std::vector<double>& values);
 
+/// The largest step that values lie on, from the first of them on: so many times a decimal digit, down to 10⁻⁹ of the
+/// largest difference (0.5: the middles of boxes of pixels). 0 if there is none, or nothing but one value. Missing
+/// values are left out. O(values).
+double rounding_step(const std::vector<double>& values);
+
 /// So many runs of missing values.
 std::size_t count_gaps(const std::vector<double>& values);
 

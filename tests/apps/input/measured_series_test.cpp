@@ -159,6 +159,15 @@ TEST(MeasuredSeries, TheLastDigitOfValues) {
     EXPECT_EQ(decimal_resolution({std::sqrt(2.0) * 1e5}), 0);
 }
 
+TEST(MeasuredSeries, TheStepThatValuesWereRoundedTo) {
+    EXPECT_NEAR(rounding_step({0.1234, 3.0001, std::nan(""), -2.5}), 1e-4, 1e-12);
+    EXPECT_NEAR(rounding_step({101.5, 640, 33.5, 7}), 0.5, 1e-12);                 // middles of boxes
+    EXPECT_NEAR(rounding_step({0.12 + 0.7, 0.5 + 0.7, 0.32 + 0.7}), 0.02, 1e-12);  // from another origin
+    EXPECT_EQ(rounding_step({1 / 3.0, 0.1, std::sqrt(2.0)}), 0);
+    EXPECT_EQ(rounding_step({4, 4, 4}), 0);
+    EXPECT_EQ(rounding_step({}), 0);
+}
+
 TEST(MeasuredSeries, TimesMustRise) {
     EXPECT_THAT(refusal("t,S\n0,1\n1,2\n1,3\n"), HasSubstr("line 4: time 1 repeats 1 of line 3"));
     EXPECT_THAT(refusal("t,S\n0,1\n2,2\n1,3\n"), HasSubstr("line 4: time 1 falls behind 2 of line 3"));

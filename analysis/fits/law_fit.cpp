@@ -218,16 +218,24 @@ RobustStart first_parameters(const LawProblem& problem) {
     };
     std::vector<Tried> grid;
     double least = infinity;
+    LawParameters nearest;
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= steps; ++j) {
             // μ = 0, 0.01 … 3, evenly in its logarithm
             const double friction = j == 0 ? 0 : 0.01 * std::pow(300.0, (j - 1.0) / (steps - 1));
             const LawParameters parameters{static_cast<double>(i) / steps, friction};
             grid.push_back({parameters, squares_of(problem, parameters)});
-            least = std::min(least, quantile(grid.back().squares, four_fifths));
+            const double square = quantile(grid.back().squares, four_fifths);
+            if (square < least) least = square, nearest = parameters;
         }
+    // No finer than half a step of e: where the true e is on the grid, impacts that stick fit at any larger μ, and
+    // would leave those that slide beyond the loss's reach.
+    double beside = infinity;
+    for (const double e : {nearest.restitution - 0.5 / steps, nearest.restitution + 0.5 / steps})
+        if (e >= 0 && e <= 1)
+            beside = std::min(beside, quantile(squares_of(problem, {e, nearest.friction}), four_fifths));
     RobustStart start;
-    start.scale = std::max(std::sqrt(least / four_fifths_of_three), least_misfit_scale(problem));
+    start.scale = std::max(std::sqrt(std::max(least, beside) / four_fifths_of_three), least_misfit_scale(problem));
     least = infinity;
     for (const Tried& tried : grid) {
         double sum = 0;

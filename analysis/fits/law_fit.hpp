@@ -74,7 +74,8 @@ struct RobustStart {
 };
 
 /// A start that gross errors do not reach: the point of a grid of (e, μ) with the least biweight loss, at the scale
-/// that the least 80 % quantile of the misfits gives. All weights count as 1.
+/// that the least 80 % quantile of the misfits gives, or half a step of e beside that point where this is more. All
+/// weights count as 1.
 RobustStart first_parameters(const LawProblem& problem);
 
 /// The misfits' robust standard deviation, from their median; never below rounding.

@@ -169,6 +169,58 @@ proof_check::StatedPlane plane_in(const Json& document) {
     return plane;
 }
 
+/// A branch, its boxes, and that what is said of them together is what they say.
+proof_check::StatedBranch branch_in(const Json& document, const Json& row) {
+    proof_check::StatedBranch branch;
+    read_scene(document.at("scene"), branch.cycle);
+    branch.cycle.uniform_lamina = document.at("inertia").get<std::string>() == "uniform lamina";
+    const auto& along = document.at("along");
+    if (along.size() != 1) throw BadInput("it runs along one parameter");
+    branch.parameter = along.begin().key();
+    const auto [low, high] = range_in(along.begin().value());
+    const auto [from, to] = range_in(row.at("range"));
+    branch.from = from;
+    branch.to = to;
+    if (!(low <= from && to <= high)) throw BadInput("a branch reaches beyond the range that was asked for");
+    if (branch.parameter == "mu") branch.cycle.mu = to;
+    for (const Json& letter : row.at("word")) {
+        StatedStep step;
+        step.vertex_step = whole(letter.at("vertex_step"));
+        step.contact_mode = letter.at("contact_mode").get<std::string>();
+        step.slip = whole(letter.at("slip"));
+        branch.cycle.steps.push_back(step);
+    }
+    if (whole(row.at("period")) != static_cast<int>(branch.cycle.steps.size()))
+        throw BadInput("a branch has another period than its word");
+    for (const Json& part : row.at("boxes")) {
+        proof_check::StatedBox box;
+        const int running = whole(part.at("running"));
+        if (running < 0) throw BadInput("a box has no running unknown");
+        box.running = static_cast<std::size_t>(running);
+        const auto [least, most] = range_in(part.at("range"));
+        box.low = least;
+        box.high = most;
+        box.middle = part.at("middle").get<std::vector<double>>();
+        box.within = part.at("within").get<double>();
+        const Json& outside = part.at("outside");
+        box.decided = !outside.is_null();
+        if (box.decided) box.outside = whole(outside);
+        if (box.decided) box.inside = whole(part.at("inside"));
+        branch.boxes.push_back(std::move(box));
+    }
+    return branch;
+}
+
+void read_branches(const Json& document, StatedCertificate& stated) {
+    for (const Json& row : document.at("branches")) {
+        ++stated.orbits;
+        if (row.at("proven").get<bool>()) stated.branches.push_back({stated.orbits, branch_in(document, row)});
+    }
+    if (static_cast<std::size_t>(whole(document.at("proven"))) != stated.branches.size())
+        throw BadInput("the number of its proven branches is not that of its branches");
+    if (stated.branches.empty()) throw BadInput("it states no branch as proven");
+}
+
 /// A document in which no object has a name twice, of which the library would keep the last.
 Json parsed(const std::string& text) {
     std::vector<std::set<std::string>> names;
@@ -244,6 +296,10 @@ StatedCertificate read_certificate(const std::string& file) {
         stated.all = document.contains("all") && !document.at("all").is_null();
         if (document.contains("plane")) {
             stated.plane = plane_in(document);
+            return stated;
+        }
+        if (document.contains("branches")) {
+            read_branches(document, stated);
             return stated;
         }
         for (const Json& orbit : document.at("orbits")) {

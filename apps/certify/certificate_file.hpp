@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/record/output_file.hpp"
+#include "map/proof_check/stated_branch.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 #include "map/proof_check/stated_plane.hpp"
 
@@ -34,12 +35,18 @@ struct StatedOrbit {
     std::size_t number = 0;  ///< in the file, from 1
     proof_check::StatedCycle cycle;
 };
+/// One branch that it states as proven.
+struct StatedBranchOf {
+    std::size_t number = 0;  ///< in the file, from 1
+    proof_check::StatedBranch branch;
+};
 struct StatedCertificate {
     std::size_t orbits = 0;           ///< listed, those not proven included
     std::vector<StatedOrbit> proven;  ///< of them
     bool interrupted = false;         ///< its cycles are a part of those that were asked for
     bool all = false;                 ///< it also states that these are all fixed points, which is not checked
     std::optional<proof_check::StatedPlane> plane;  ///< of cells, in place of orbits
+    std::vector<StatedBranchOf> branches;           ///< in place of orbits
 };
 
 /// @throws BadInput where the file is no certificate, was changed, or lacks a member; names the file

@@ -46,6 +46,13 @@ by the number of fixed points and of attracting ones; doubt names what is not ce
 contact-mode, clearance, stability). A polygon, mu > 0,
 beta > 0, restitution < 1. `swirl plot` draws the record.
 
+--along NAME=A:B follows the branch of each of the cycles along alpha, beta, mu, restitution or inertia-factor, in boxes that
+overlap: for every value in a box there is one cycle of the branch, with the same word and period, and as many multipliers
+outside the unit circle. It goes on through folds, and ends where the range does, or an impact leaves its contact mode, or
+another vertex touches: which, and between which two values. Between boxes of different stability a fold, flip or
+Neimark-Sacker point is proven. RECORD --branches covers the branches of a record of continue or bifurcate so, and says which
+share of their length is proven. No families (a disk, or no friction, at restitution = 1).
+
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
 fixed points is not part of that.
 
@@ -55,6 +62,7 @@ not be proven, 2 if the file is no certificate or was changed after it was writt
 Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
+  swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --max-time 2 --along alpha=0.38:0.42
   swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2)";
 
 void CertifyOptions::add_to(Flags& command) {
@@ -77,6 +85,10 @@ void CertifyOptions::add_to(Flags& command) {
         .add_option("--max-time", longest,
                     "longest flight time, in 1/omega_s (SI units: s; default 12/omega_s, of --plane 6/omega_s)")
         ->type_name("T");
+    command.add_option("--along", along, "NAME=A:B: the branches of these cycles, proven along a parameter")
+        ->type_name("")
+        ->offer(parameters_to_offer());
+    command.add_flag("--branches", branches, "the branches of the RECORD, along its parameter");
     command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
         ->type_name("")
         ->offer(parameters_to_offer())
@@ -119,6 +131,10 @@ void require_one_input(const CertifyOptions& options) {
         throw BadInput("--period goes with --near; a record's cycles have their own");
     if (options.longest && !options.all && options.plane.empty())
         throw BadInput("--max-time goes with --all or --plane");
+    if (options.branches && (options.record.empty() || options.orbit || !options.along.empty()))
+        throw BadInput("--branches goes with a RECORD alone: its branches, along its parameter");
+    if (!options.along.empty() && (!options.plane.empty() || !options.check.empty()))
+        throw BadInput("--along goes with cycles: a RECORD, --near, --from attractor or --all");
     if (options.resolution && options.plane.empty()) throw BadInput("--resolution goes with --plane");
     if (!options.check.empty() && !options.certificate.empty())
         throw BadInput("--check and --output are both given; --check writes nothing");
@@ -173,9 +189,28 @@ Certified certified_all(const CertifyOptions& options, const Scene<double>& scen
 
 }  // namespace
 
+AskedCycles asked_cycles(const CertifyOptions& options) {
+    if (!options.record.empty()) {
+        const orbits::RecordCycles cycles = orbits::cycles_of_record(options.record);
+        warn_without_checksum(options.record, options.output.quiet);
+        if (options.orbit) return {cycles.scene, {orbits::cycle_of_record(options.record, options.orbit)}};
+        return {cycles.scene, cycles.places};
+    }
+    AskedCycles asked{options.scene.scene<double>(), {}};
+    const Certified certified = options.all            ? certified_all(options, asked.scene)
+                                : options.from.empty() ? certified_near(options, asked.scene)
+                                                       : certified_attractor(options, asked.scene);
+    for (const CertifiedOrbit& orbit : certified.orbits)
+        asked.places.push_back({asked.scene, orbit.proof.points, orbit.number});
+    asked.found = certified.found;
+    asked.complete = !certified.all || certified.all->complete();
+    return asked;
+}
+
 int check_certificate(const CertifyOptions& options) {
     const StatedCertificate stated = read_certificate(options.check);
     if (stated.plane) return check_plane(options, stated);
+    if (!stated.branches.empty()) return check_branches(options, stated);
     std::size_t holds = 0;
     std::string refused;
     for (const StatedOrbit& orbit : stated.proven) {
@@ -214,6 +249,7 @@ int certify(CertifyOptions& options) {
     proof::require_interval_arithmetic();
     if (!options.check.empty()) return check_certificate(options);
     if (!options.plane.empty()) return certify_plane(options);
+    if (!options.along.empty() || options.branches) return certify_branches(options);
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const bool needs_scene = options.record.empty();

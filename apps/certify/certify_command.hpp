@@ -26,6 +26,8 @@ struct CertifyOptions {
     std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
     bool all = false;                        ///< all fixed points …
     std::optional<double> longest;           ///< … up to this flight time
+    std::string along;                       ///< NAME=A:B: the cycles' branches along a parameter
+    bool branches = false;                   ///< those of a record
     std::vector<std::string> plane;          ///< NAME=A:B, twice: cells of a plane
     std::optional<double> resolution;        ///< of the plane's sides, below which no cell is halved
     std::string check;                       ///< a certificate to check
@@ -40,6 +42,15 @@ struct StatedCertificate;
 
 extern const char* const certify_details;
 
+/// The cycles that are asked for: of a record, near a point, of the attractor, all fixed points.
+struct AskedCycles {
+    Scene<double> scene;
+    std::vector<CyclePlace> places;
+    bool found = true;     ///< false: the point led to no cycle
+    bool complete = true;  ///< false: of all fixed points some are undecided
+};
+AskedCycles asked_cycles(const CertifyOptions& options);
+
 /// All that was proven, as a document or certificate without its checksum and last brace.
 std::string certificate_text(const CertifyOptions& options, const Certified& certified);
 void print_certified(const CertifyOptions& options, const Certified& certified);
@@ -47,6 +58,10 @@ void print_certified(const CertifyOptions& options, const Certified& certified);
 int certify(CertifyOptions& options);
 /// --plane.
 int certify_plane(CertifyOptions& options);
+/// --along and --branches.
+int certify_branches(CertifyOptions& options);
+/// --check of a certificate of branches.
+int check_branches(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check of a certificate of --plane.
 int check_plane(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check.

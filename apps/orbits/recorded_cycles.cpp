@@ -133,6 +133,8 @@ RecordCycles cycles_in_rows(const RecordReader& record, const std::string& group
         parameter = parameter_named(result.along);
         if (parameter) values = record.read<double>("/branches/parameter");
         if (!parameter) result.along.clear();
+        if (parameter && record.contains("/branches/branch"))
+            result.branches = record.read<std::int64_t>("/branches/branch");
     }
     result.scene = scene_of(record, parameter, values);
     const std::size_t dimension = result.scene.is_disk() ? disk_dimension : polygon_dimension;
@@ -140,7 +142,9 @@ RecordCycles cycles_in_rows(const RecordReader& record, const std::string& group
         return period >= 1 && static_cast<std::uint64_t>(period) <= shape[1];
     };
     if (shape.size() != 3 || shape[0] != periods.size() || shape[2] != dimension ||
-        (parameter && values.size() != periods.size()) || !std::all_of(periods.begin(), periods.end(), fits))
+        (parameter && values.size() != periods.size()) ||
+        (!result.branches.empty() && result.branches.size() != periods.size()) ||
+        !std::all_of(periods.begin(), periods.end(), fits))
         throw BadInput(fmt::format("record '{}' is damaged: columns of {} do not fit each other", file, group));
     for (std::size_t row = 0; row < periods.size(); ++row) {
         Scene<double> scene = result.scene;

@@ -89,6 +89,10 @@ Dual<D, S> operator*(const S& a, const Dual<D, S>& b) {
 }
 
 template <std::size_t D, class S>
+Dual<D, S> square(const Dual<D, S>& x) {
+    return detail::chained(square(x.value), S(2) * x.value, x);
+}
+template <std::size_t D, class S>
 Dual<D, S> sqrt(const Dual<D, S>& x) {
     const S root = sqrt(x.value);
     return detail::chained(root, S(0.5) / root, x);

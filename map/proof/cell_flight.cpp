@@ -29,17 +29,16 @@ std::vector<int> open_vertices(const CellFlight<Timed>& flight, const Share& sha
 
 }  // namespace
 
-Verdict clear_over_cell(const SceneIn<Timed>& scene, const BallPoint<Timed>& z, const Timed& tau, long j) {
-    constexpr double shortest = 0x1p-9;
-    constexpr int most = 120;
+Verdict clear_over_cell(const SceneIn<Timed>& scene, const BallPoint<Timed>& z, const Timed& tau, long j,
+                        const TimePieces& pieces) {
     const CellFlight<Timed> flight(scene, z, tau);
-    const int arriving = static_cast<int>(((j % scene.sides) + scene.sides) % scene.sides);
-    std::vector<int> all(static_cast<std::size_t>(scene.sides));
+    const int sides = flight.vertices(), arriving = static_cast<int>(((j % sides) + sides) % sides);
+    std::vector<int> all(static_cast<std::size_t>(sides));
     std::iota(all.begin(), all.end(), 0);
     std::vector<Share> waiting{{0, 1, std::move(all)}};
     bool doubtful = false;
     for (int looked = 0; !waiting.empty(); ++looked) {
-        if (looked > most) return Verdict::undecided;
+        if (looked > pieces.most) return Verdict::undecided;
         const Share share = std::move(waiting.back());
         waiting.pop_back();
         std::vector<int> open = open_vertices(flight, share, arriving);
@@ -48,7 +47,7 @@ Verdict clear_over_cell(const SceneIn<Timed>& scene, const BallPoint<Timed>& z, 
         const auto moment = flight.at(Timed(middle));
         for (const int k : open)
             if (is_positive(flight.gap(moment, k).value)) return Verdict::refuted;
-        if (share.to - share.from < shortest) {
+        if (share.to - share.from < pieces.shortest) {
             doubtful = true;  // another moment may yet refute it
             continue;
         }

@@ -1,4 +1,4 @@
-// The flight of a fixed point over a rectangle of parameters: does another vertex touch earlier?
+// A flight over a range of parameters: does another vertex touch earlier? (Or, of a disk, the disk itself.)
 #pragma once
 
 #include "map/intervals/sloped.hpp"
@@ -19,11 +19,14 @@ public:
         const auto chi = sine_cosine(z.chi), psi = sine_cosine(z.psi);
         x_ = S(1) - scene.alpha * chi.cosine + scene.beta * psi.cosine;
         y_ = -(scene.alpha * chi.sine + scene.beta * psi.sine);
-        for (int k = 0; k < scene.sides; ++k) {
+        reach2_ = scene.is_disk() ? square(S(1) - scene.alpha) : S(1);
+        for (int k = 0; k < vertices(); ++k) {
             const auto turn = sine_cosine(scene.spacing * S(k));
             turns_.push_back({turn.cosine, turn.sine});
         }
     }
+    /// Of a disk the centre stands for its one vertex, in a circle of radius 1 − α.
+    int vertices() const { return scene_.is_disk() ? 1 : scene_.sides; }
     struct Moment {
         S x, y, vx, vy;        ///< the centre from the container's, and its velocity in the container
         S offset_x, offset_y;  ///< of vertex 0 from the centre
@@ -38,19 +41,20 @@ public:
                 scene_.alpha * body.cosine,
                 scene_.alpha * body.sine};
     }
-    /// The gap |x|² − 1 of vertex k, and half its rate.
+    /// The gap |x|² − 1 of vertex k (of a disk |x|² − (1 − α)²), and half its rate.
     struct Gap {
         S value, rate;
     };
     Gap gap(const Moment& m, int k) const {
+        if (scene_.is_disk()) return {square(m.x) + square(m.y) - reach2_, m.x * m.vx + m.y * m.vy};
         const Vec& turn = turns_[static_cast<std::size_t>(k)];
         const S along = turn.x * m.offset_x - turn.y * m.offset_y, across = turn.x * m.offset_y + turn.y * m.offset_x;
         const S x = m.x + along, y = m.y + across;
-        return {square(x) + square(y) - S(1), x * (m.vx - z_.spin * across) + y * (m.vy + z_.spin * along)};
+        return {square(x) + square(y) - reach2_, x * (m.vx - z_.spin * across) + y * (m.vy + z_.spin * along)};
     }
     /// No vertex reaches the wall.
     bool is_far_inside(const Moment& m) const {
-        return is_negative(square(m.x) + square(m.y) - square(S(1) - scene_.alpha));
+        return !scene_.is_disk() && is_negative(square(m.x) + square(m.y) - square(S(1) - scene_.alpha));
     }
 
 private:
@@ -59,7 +63,7 @@ private:
     };
     const SceneIn<S>& scene_;
     const BallPoint<S>& z_;
-    S tau_, x_, y_;
+    S tau_, x_, y_, reach2_;
     std::vector<Vec> turns_;
 };
 
@@ -82,8 +86,15 @@ bool is_met_at_a_moment(const SceneIn<S>& scene, const BallPoint<S>& z, const S&
 /// Both parameters, then the share of the flight's time.
 using Timed = intervals::Sloped<3>;
 
+/// How far time is halved.
+struct TimePieces {
+    double shortest = 0x1p-9;  ///< as a share of the flight
+    int most = 120;            ///< that are looked at
+};
+
 /// Proven: no vertex touches between the flight's ends, whatever the parameters; refuted: one is outside at a moment.
 /// Cost: some ten pieces of time, each with all vertices.
-Verdict clear_over_cell(const SceneIn<Timed>& scene, const BallPoint<Timed>& z, const Timed& tau, long j);
+Verdict clear_over_cell(const SceneIn<Timed>& scene, const BallPoint<Timed>& z, const Timed& tau, long j,
+                        const TimePieces& pieces = {});
 
 }  // namespace swirl::proof

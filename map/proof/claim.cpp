@@ -1,5 +1,7 @@
 #include "map/proof/claim.hpp"
 
+#include "map/proof/branch_claim.hpp"
+
 #include <algorithm>
 
 namespace swirl::proof {
@@ -18,6 +20,26 @@ std::string_view name_of(ProvenStability stability) {
             break;
     }
     return "undecided";
+}
+
+std::string_view name_of(BranchEndKind kind) {
+    switch (kind) {
+        case BranchEndKind::range:
+            return "range";
+        case BranchEndKind::closed:
+            return "closed";
+        case BranchEndKind::contact_mode:
+            return "contact-mode";
+        case BranchEndKind::clearance:
+            return "clearance";
+        case BranchEndKind::period:
+            return "period";
+        case BranchEndKind::equations:
+            return "equations";
+        case BranchEndKind::stopped:
+            break;
+    }
+    return "stopped";
 }
 
 double CycleProof::radius() const {

@@ -1,7 +1,9 @@
 // What a build without Arb answers.
 #include "map/proof/all_fixed_points.hpp"
+#include "map/proof/prove_branch.hpp"
 #include "map/proof/prove_cycle.hpp"
 #include "map/proof/steady_cells.hpp"
+#include "map/proof_check/stated_branch.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 #include "map/proof_check/stated_plane.hpp"
 
@@ -38,6 +40,13 @@ cells::PlanePiece proven_piece(const PlaneScene&, const cells::ParameterCell&, c
     refuse();
 }
 
+BranchProof prove_branch(const BranchClaim&, const std::function<bool()>&) {
+    refuse();
+}
+void require_isolated_branch(const Scene<double>&, Parameter, double, double) {
+    refuse();
+}
+
 }  // namespace proof
 
 namespace proof_check {
@@ -46,6 +55,9 @@ std::string what_fails(const StatedCycle&) {
     refuse();
 }
 std::string what_fails(const StatedPlane&, const std::function<bool()>&) {
+    refuse();
+}
+std::string what_fails(const StatedBranch&, const std::function<bool()>&) {
     refuse();
 }
 

@@ -5,11 +5,12 @@
 
 namespace swirl::proof_check {
 
-FlightSight sight_of_flight(const SceneOver<Timed>& scene, const MotionStart<Timed>& z, const Timed& tau, long j) {
-    constexpr int most = 200;
+FlightSight sight_of_flight(const SceneOver<Timed>& scene, const MotionStart<Timed>& z, const Timed& tau, long j,
+                            double shortest, int most) {
     const CellMotion<Timed> motion(scene, z, tau);
-    const auto sides = static_cast<std::size_t>(scene.sides);
-    const auto arriving = static_cast<std::size_t>(((j % scene.sides) + scene.sides) % scene.sides);
+    const int count = scene.disk() ? 1 : scene.sides;
+    const auto sides = static_cast<std::size_t>(count);
+    const auto arriving = static_cast<std::size_t>(((j % count) + count) % count);
     bool clear = true;
     std::vector<std::pair<double, double>> waiting{{0.5, 1}, {0, 0.5}};
     for (int looked = 0; !waiting.empty(); ++looked) {
@@ -31,7 +32,7 @@ FlightSight sight_of_flight(const SceneOver<Timed>& scene, const MotionStart<Tim
         const double middle = 0.5 * (from + to);
         for (const auto& place : motion.at(Timed(middle)))
             if (is_positive(place.beyond())) return FlightSight::outside;
-        if (to - from < 0x1p-9) {
+        if (to - from < shortest) {
             clear = false;
             continue;
         }

@@ -1,5 +1,4 @@
-// The flight of a fixed point over a cell of two parameters, looked at again: in axes along the swirl's arm at the
-// start.
+// A flight over a range of parameters, looked at again: in axes along the swirl's arm at the start.
 #pragma once
 
 #include "map/intervals/sloped.hpp"
@@ -16,7 +15,7 @@ struct MotionStart {
     S psi, chi, vn, vt, spin;
 };
 
-/// A vertex from the container's centre.
+/// A vertex from the container's centre; of a disk its centre, in units of 1 − α.
 template <class S>
 struct VertexPlace {
     S x, y, rate_x, rate_y;
@@ -44,6 +43,10 @@ public:
         const S vx = vx_ + scene_.beta * arm.sine, vy = vy_ - scene_.beta * arm.cosine;
         S ax = scene_.alpha * body.cosine, ay = scene_.alpha * body.sine;
         std::vector<VertexPlace<S>> places;
+        if (scene_.disk()) {
+            const S unit = S(1) / (S(1) - scene_.alpha);
+            return {{unit * x, unit * y, unit * vx, unit * vy}};
+        }
         for (int k = 0; k < scene_.sides; ++k) {
             places.push_back({x + ax, y + ay, vx - z_.spin * ay, vy + z_.spin * ax});
             const S turned = ax * next.cosine - ay * next.sine;
@@ -77,6 +80,8 @@ bool is_outside_at_a_moment(const SceneOver<S>& scene, const MotionStart<S>& z, 
 using Timed = intervals::Sloped<3>;  ///< by both parameters and the share of the flight's time
 
 enum class FlightSight { clear, outside, unclear };
-FlightSight sight_of_flight(const SceneOver<Timed>& scene, const MotionStart<Timed>& z, const Timed& tau, long j);
+///   shortest  piece of time, as a share of the flight;   most  pieces that are looked at
+FlightSight sight_of_flight(const SceneOver<Timed>& scene, const MotionStart<Timed>& z, const Timed& tau, long j,
+                            double shortest = 0x1p-9, int most = 200);
 
 }  // namespace swirl::proof_check

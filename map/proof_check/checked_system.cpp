@@ -65,6 +65,8 @@ void require(bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
 }
 
+}  // namespace
+
 void require_itinerary(const StatedCycle& cycle) {
     for (const StatedStep& step : cycle.steps) {
         const std::string& mode = step.contact_mode;
@@ -80,8 +82,6 @@ void require_itinerary(const StatedCycle& cycle) {
     }
     require(cycle.law == "poisson" || cycle.law == "newton" || cycle.law == "stronge", "its law is none");
 }
-
-}  // namespace
 
 StepVariables CheckedSystem::variables_of(const Balls& unknowns, std::size_t i) const {
     std::array<Gradient, variables> g;

@@ -30,6 +30,9 @@ struct CheckedSystem {
     StepVariables variables_of(const Balls& unknowns, std::size_t i) const;
 };
 
+/// Its contact modes, slips and vertex steps are known ones. @throws std::invalid_argument
+void require_itinerary(const StatedCycle& cycle);
+
 /// From the certificate. @throws std::invalid_argument where its parts contradict each other
 CheckedSystem checked_system(const StatedCycle& cycle);
 

@@ -12,8 +12,9 @@ namespace swirl::proof_check {
 
 using intervals::Ball;
 
-/// ψ, χ, v_n, v_t, S, τ of a step, then ψ, χ, v_n, v_t, S of the next.
-inline constexpr std::size_t variables = 11;
+/// ψ, χ, v_n, v_t, S, τ of a step, then ψ, χ, v_n, v_t, S of the next, then one of the scene's numbers.
+inline constexpr std::size_t variables = 12;
+inline constexpr std::size_t scene_variable = 11;
 
 template <class S>
 struct GradientOver {
@@ -70,6 +71,19 @@ template <class S>
 GradientOver<S> cosine(const GradientOver<S>& x) {
     const auto at = sine_cosine(x.f);
     return combined(at.cosine, -at.sine, x, S(0), x);
+}
+template <class S>
+GradientOver<S> square(const GradientOver<S>& x) {
+    return x * x;
+}
+/// A number without its derivatives, if it has any.
+template <class S>
+const S& scalar_of(const S& x) {
+    return x;
+}
+template <class S>
+const S& scalar_of(const GradientOver<S>& x) {
+    return x.f;
 }
 /// Either, with the derivatives of both.
 template <class S>

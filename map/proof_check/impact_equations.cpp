@@ -44,8 +44,8 @@ struct Contact {
     GradientOver<S> p, q, un, ut, un_after, ut_after, b1, b2, b3, rn, rt;
 };
 
-template <class S>
-Contact<S> contact_of(const SceneOver<S>& scene, const StepVariablesOver<S>& at) {
+template <class S, class N>
+Contact<S> contact_of(const SceneOver<N>& scene, const StepVariablesOver<S>& at) {
     const GradientOver<S> turn = at.psi - at.next_psi - at.tau;  // from the axes before to those of the impact
     const GradientOver<S> c = cosine(turn), s = sine(turn);
     const GradientOver<S> vn = c * at.vn - s * at.vt, vt = s * at.vn + c * at.vt;
@@ -59,7 +59,7 @@ Contact<S> contact_of(const SceneOver<S>& scene, const StepVariablesOver<S>& at)
     contact.ut = vt + at.spin * contact.rn - wall_t;
     contact.un_after = at.next_vn - at.next_spin * contact.rt - wall_n;
     contact.ut_after = at.next_vt + at.next_spin * contact.rn - wall_t;
-    const S lightness = S(1) / scene.inertia;
+    const N lightness = N(S(1)) / scene.inertia;
     contact.b1 = S(1) + lightness * (contact.rn * contact.rn);
     contact.b2 = S(1) + lightness * (contact.rt * contact.rt);
     contact.b3 = lightness * (contact.rn * contact.rt);
@@ -79,9 +79,9 @@ void want(Inequalities* list, const char* name, const S& value) {
 }
 
 /// An impact during which the slip of sign s stops at p_k: C(p) has slope c before and f beyond.
-template <class S>
-Pair<S> stopping(const SceneOver<S>& scene, const Contact<S>& at, bool sticks, bool early, int s, Inequalities* list) {
-    const S push = S(s) * scene.mu;
+template <class S, class N>
+Pair<S> stopping(const SceneOver<N>& scene, const Contact<S>& at, bool sticks, bool early, int s, Inequalities* list) {
+    const N push = S(s) * scene.mu;
     const GradientOver<S> c = at.b2 - push * at.b3, slow = scene.mu * at.b1 - S(s) * at.b3;
     const GradientOver<S> stop = S(s) * at.ut / slow;
     const GradientOver<S> beyond = sticks ? S(-1) * (at.b3 * at.b3 / at.b1) : push * at.b3;
@@ -92,11 +92,11 @@ Pair<S> stopping(const SceneOver<S>& scene, const Contact<S>& at, bool sticks, b
     want(list, "p > p_k", at.p.f - stop.f);
     want(list, "f > 0", f.f);
     if (!early) want(list, "c > 0", c.f);
-    const S grip = scene.mu * at.b1.f, pull = abs(at.b3.f);
+    const S grip = scalar_of(scene.mu) * at.b1.f, pull = abs(at.b3.f);
     want(list, sticks ? "mu B1 > |B3|" : "|B3| > mu B1", sticks ? grip - pull : pull - grip);
     Pair<S> pair;
     pair.friction = sticks ? at.ut_after : at.q - push * (at.p - S(2) * stop);
-    const S e2 = square(scene.restitution);
+    const N e2 = square(scene.restitution);
     if (scene.law == "newton") {
         pair.restitution = at.un_after + scene.restitution * at.un;
     } else if (scene.law == "stronge") {
@@ -104,15 +104,15 @@ Pair<S> stopping(const SceneOver<S>& scene, const Contact<S>& at, bool sticks, b
         pair.restitution = early ? end2 - e2 * (f * (at.un - at_stop) * stop + stop2)
                                  : f * stop2 + c * (end2 - stop2) - e2 * (f * at.un * at.un);
     } else {
-        const GradientOver<S> compression = S(1) / (S(1) + scene.restitution) * at.p;
+        const GradientOver<S> compression = N(S(1)) / (S(1) + scene.restitution) * at.p;
         pair.restitution = early ? f * (compression - stop) + c * stop - at.un : c * compression - at.un;
     }
     return pair;
 }
 
-template <class S>
-Pair<S> law_of(const SceneOver<S>& scene, const StatedStep& step, const Contact<S>& at, Inequalities* list) {
-    const S bounce = S(1) + scene.restitution;
+template <class S, class N>
+Pair<S> law_of(const SceneOver<N>& scene, const StatedStep& step, const Contact<S>& at, Inequalities* list) {
+    const N bounce = S(1) + scene.restitution;
     want(list, "u_n before the impact > 0", at.un.f);
     want(list, "u_n after the impact < 0", -at.un_after.f);
     if (step.contact_mode == "frictionless") return {at.q, at.p * at.b2 - bounce * at.un};
@@ -133,8 +133,8 @@ Pair<S> law_of(const SceneOver<S>& scene, const StatedStep& step, const Contact<
 
 }  // namespace
 
-template <class S>
-StepEquationsOver<S> step_equations(const SceneOver<S>& scene, const StatedStep& step, const StepVariablesOver<S>& at,
+template <class S, class N>
+StepEquationsOver<S> step_equations(const SceneOver<N>& scene, const StatedStep& step, const StepVariablesOver<S>& at,
                                     std::vector<Inequality>* inequalities) {
     const GradientOver<S> corner = at.psi + at.chi, next_corner = at.next_psi + at.next_chi;
     const GradientOver<S> c = cosine(at.psi), s = sine(at.psi);
@@ -146,7 +146,7 @@ StepEquationsOver<S> step_equations(const SceneOver<S>& scene, const StatedStep&
     StepEquationsOver<S> equations;
     equations.position_x = x - (ct * next_x - st * next_y);
     equations.position_y = y - (st * next_x + ct * next_y);
-    equations.turn = scene.spacing * S(step.vertex_step) + (corner + at.spin * at.tau - next_corner - at.tau);
+    equations.turn = S(step.vertex_step) * scene.spacing + (corner + at.spin * at.tau - next_corner - at.tau);
     const S circle = S(2) * S(intervals::pi_ball());
     const double turns = std::round(intervals::middle(equations.turn.f / circle));
     if (std::isfinite(turns)) equations.turn = -(S(turns) * circle) + equations.turn;
@@ -163,6 +163,10 @@ template StepEquationsOver<Ball> step_equations(const SceneOver<Ball>&, const St
 template StepEquationsOver<intervals::Curved<2>> step_equations(const SceneOver<intervals::Curved<2>>&,
                                                                 const StatedStep&,
                                                                 const StepVariablesOver<intervals::Curved<2>>&,
+                                                                std::vector<Inequality>*);
+template StepEquationsOver<intervals::Curved<1>> step_equations(const SceneOver<GradientOver<intervals::Curved<1>>>&,
+                                                                const StatedStep&,
+                                                                const StepVariablesOver<intervals::Curved<1>>&,
                                                                 std::vector<Inequality>*);
 
 }  // namespace swirl::proof_check

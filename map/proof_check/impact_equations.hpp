@@ -51,9 +51,10 @@ struct StepVariablesOver {
 using StepVariables = StepVariablesOver<Ball>;
 
 ///   inequalities  null: not wanted
-/// Over balls, and over numbers that depend on two others (curved.hpp).
-template <class S>
-StepEquationsOver<S> step_equations(const SceneOver<S>& scene, const StatedStep& step, const StepVariablesOver<S>& at,
+/// Over balls, and over numbers that depend on one or two others (curved.hpp).
+///   N  the sort of the scene's numbers: S, or with derivatives where one of them is unknown
+template <class S, class N>
+StepEquationsOver<S> step_equations(const SceneOver<N>& scene, const StatedStep& step, const StepVariablesOver<S>& at,
                                     std::vector<Inequality>* inequalities);
 
 }  // namespace swirl::proof_check

@@ -128,6 +128,26 @@ class Certify(InFolder):
         self.assertGreaterEqual(found["proven"], 0.9 * len(found["orbits"]))
         self.assertTrue(all(0.39 <= o["parameters"]["alpha"] <= 0.41 for o in found["orbits"]))
 
+    def test_a_branch_is_proven_along_a_parameter_and_its_certificate_holds(self):
+        file = self.certificate(f"{HEXAGON} {STABLE} --along alpha=0.39:0.41")
+        found = json.loads(file.read_text())
+        branch = found["branches"][0]
+        self.assertEqual((found["proven"], branch["proven"], branch["range"]), (1, True, [0.39, 0.41]))
+        self.assertEqual({s["stability"] for s in branch["stability"]}, {"attracting"})
+        self.assertEqual([(e["kind"], e["proven"]) for e in branch["ends"]], [("range", True)] * 2)
+        again = document(f"certify --check {file}")
+        self.assertEqual((again["stated"], again["proven"], again["reason"]), (1, 1, None))
+        text = file.read_text()
+        edited, count = re.subn(r'"outside": 0,(\s*)"inside": 5', r'"outside": 1,\1"inside": 4', text, count=1)
+        self.assertEqual(count, 1)
+        self.refused(with_new_checksum(edited), (3,))
+
+    def test_the_branches_of_a_record_are_covered(self):
+        record = self.folder / "branch.h5"
+        run(f"continue {HEXAGON} --from={STABLE[7:]} --along alpha=0.39:0.41 --quiet -o {record}")
+        found = document(f"certify {record} --branches")
+        self.assertGreaterEqual(found["proven_share"], 0.97)
+
     def test_what_an_interruption_leaves_is_a_certificate(self):
         record, certificate = self.folder / "diagram.h5", self.folder / "c.json"
         run("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.3:0.7:100 --starts 2 --branches "

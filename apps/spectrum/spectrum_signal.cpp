@@ -122,9 +122,11 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
     if (orbit.every > 1)
         throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
                                    orbit.every));
-    const bool over_floor = std::any_of(orbit.scene.begin(), orbit.scene.end(), [](const auto& setting) {
-        return setting.first == "drag" || setting.first == "spin_drag";
-    });
+    // Of a scene that was followed here the flights are known already.
+    const bool is_read = orbit.contacts.empty() && orbit.values.front().size() > 1;
+    const bool over_floor = is_read && std::any_of(orbit.scene.begin(), orbit.scene.end(), [](const auto& setting) {
+                                return setting.first == "drag" || setting.first == "spin_drag";
+                            });
     if (orbit.contacts_listed == 0 && !over_floor) return orbit;
     if (orbit.accuracy != "double")
         throw BadInput(

@@ -20,6 +20,7 @@
 #include <memory>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace swirl::apps::certify {
 

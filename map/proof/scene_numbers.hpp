@@ -46,7 +46,8 @@ void set_parameter(SceneIn<S>& scene, Parameter parameter, const S& value) {
             scene.kappa = value;
             break;
         case Parameter::drag:
-            throw std::invalid_argument("proofs are not extended to a floor that drags: drag is no parameter of theirs");
+            throw std::invalid_argument(
+                "proofs are not extended to a floor that drags: drag is no parameter of theirs");
     }
 }
 

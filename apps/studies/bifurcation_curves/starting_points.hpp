@@ -6,6 +6,7 @@
 #include "apps/studies/parallel/run_control.hpp"
 
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

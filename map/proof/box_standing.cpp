@@ -5,9 +5,11 @@
 #include "map/proof/clear_flight.hpp"
 #include "map/proof/words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace swirl::proof {

@@ -1,5 +1,6 @@
 #include "map/proof/branch_system.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace swirl::proof {

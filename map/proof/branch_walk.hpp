@@ -4,6 +4,7 @@
 
 #include "map/proof/box_standing.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>

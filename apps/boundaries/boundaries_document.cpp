@@ -149,7 +149,7 @@ Table<Curve> curve_table(const Plane& plane) {
     return {{"curve"},
             {{"kind", &Curve::kind, "", "bifurcation, or border of the map"},
              {"period", &Curve::period, "1", "k"},
-             F{"bounds_attracting", bounds_attracting, "",
+             F{"bounds_attracting", bounds_attracting, "1",
                "1: at a point of the curve no multiplier lies outside the unit circle"},
              {"points", points},
              {"special", special},

@@ -187,8 +187,9 @@ std::string end_in_words(const BranchEnd& end, const ParameterRange& along) {
     if (end.kind == BranchEndKind::closed) return "where it began";
     const std::string place =
         fmt::format("between {} = {:.12g} and {:.12g}", along.name, end.parameter_low, end.parameter_high);
-    return fmt::format("{}: {}{}", place, end.reason.empty() ? std::string(proof::name_of(end.kind)) : end.reason,
-                       end.proven ? " (proven)" : " is not certain");
+    if (end.reason.empty()) return fmt::format("{}: {}", place, proof::name_of(end.kind));
+    const bool is_doubt = !end.proven && end.kind != BranchEndKind::equations;
+    return fmt::format("{}: {}{}{}", place, is_doubt ? "not certain: " : "", end.reason, end.proven ? " (proven)" : "");
 }
 
 void print_branch(const CertifiedBranch& branch, const ParameterRange& along) {

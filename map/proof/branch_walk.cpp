@@ -170,7 +170,9 @@ private:
     }
 
     Walked ended(BranchEnd end) {
-        if (end.reason.empty()) end.parameter_low = end.parameter_high = joint_.middle[column()];
+        const double at = end.kind == BranchEndKind::range ? (direction_[column()] > 0 ? start_.high : start_.low)
+                                                           : joint_.middle[column()];
+        if (end.reason.empty()) end.parameter_low = end.parameter_high = at;
         walked_.end = std::move(end);
         return std::move(walked_);
     }

@@ -89,8 +89,8 @@ TEST(ProvenBranch, GoesOnThroughAFoldBeyondWhichThereAreTwoFixedPointsLess) {
     ASSERT_LT(p.to, 0.6);
     EXPECT_EQ(p.ends[0].kind, BranchEndKind::range);  // both ways back to 0.39
     EXPECT_EQ(p.ends[1].kind, BranchEndKind::range);
-    EXPECT_NEAR(p.ends[0].parameter_low, 0.39, 0.02);
-    EXPECT_NEAR(p.ends[1].parameter_low, 0.39, 0.02);
+    EXPECT_EQ(p.ends[0].parameter_low, 0.39);
+    EXPECT_EQ(p.ends[1].parameter_low, 0.39);
     const auto count = [&](double alpha) {
         return proof::all_fixed_points(with_parameter(claim.scene, claim.parameter, alpha), 1.5, go_on).proven.size();
     };

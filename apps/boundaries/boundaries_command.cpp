@@ -90,8 +90,7 @@ void BoundariesOptions::add_to(Flags& command) {
     command.add_option("--lines", lines, "lines through the plane each way (default 12, with --all 6)")
         ->type_name("L")
         ->transform(whole_number(1, 10'000));
-    command.add_flag("--all", all,
-                     "begin at all fixed points on the lines, attracting or not: every curve of period 1");
+    command.add_flag("--all", all, "begin at all fixed points on the lines, attracting or not");
     command.add_flag("--attracting", attracting, "begin at what orbits on the lines settle on (default)");
     command
         .add_option("--max-time", longest,

@@ -171,6 +171,71 @@ proof_check::StatedPlane plane_in(const Json& document) {
 }
 
 /// A branch, its boxes, and that what is said of them together is what they say.
+using StatedBoxes = std::vector<proof_check::StatedBox>;
+
+/// Of a box by its multipliers, as `stability` names it.
+std::string stability_of(const proof_check::StatedBox& box) {
+    if (!box.decided) return "undecided";
+    return box.outside == 0 ? "attracting" : box.inside == 0 ? "repelling" : "saddle";
+}
+
+/// The stretches of `stability` are those of the boxes.
+void require_stretches(const Json& row, const StatedBoxes& boxes) {
+    std::vector<std::string> stretches;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const bool same = i > 0 && boxes[i].decided == boxes[i - 1].decided &&
+                          (!boxes[i].decided || boxes[i].outside == boxes[i - 1].outside);
+        if (!same) stretches.push_back(stability_of(boxes[i]));
+    }
+    const Json& stated = row.at("stability");
+    const bool equal =
+        stated.size() == stretches.size() &&
+        std::equal(stated.begin(), stated.end(), stretches.begin(), [](const Json& one, const auto& name) {
+            return one.at("stability").template get<std::string>() == name;
+        });
+    if (!equal) throw BadInput("what is said of a branch's stability is not what its boxes say");
+}
+
+/// One of `special` is what boxes first … last − 1, whose stability is not decided, say: how many multipliers cross,
+/// where, and whether the parameter runs along all of them.
+bool is_change_over(const Json& change, const StatedBoxes& boxes, std::size_t first, std::size_t last) {
+    const int before = boxes[first - 1].outside, after = boxes[last].outside;
+    const auto& [name, range] = *change.at("box").items().begin();
+    const auto [low, high] = range_in(range);
+    bool regular = true, inside = true;
+    for (std::size_t i = first; i < last; ++i) {
+        const proof_check::StatedBox& box = boxes[i];
+        const bool runs = box.running + 1 == box.middle.size();
+        regular = regular && runs;
+        inside = inside && (runs ? low <= box.low && high >= box.high
+                                 : low <= box.middle.back() + box.within && high >= box.middle.back() - box.within);
+    }
+    const auto kind = change.at("kind").get<std::string>();
+    const int crossed = std::abs(after - before);
+    const bool named = kind == "change" || (kind == "fold" && crossed == 1 && !regular) ||
+                       (kind == "flip" && crossed == 1 && regular) ||
+                       (kind == "neimark-sacker" && crossed == 2 && regular);
+    return named && inside && whole(change.at("outside_before")) == before &&
+           whole(change.at("outside_after")) == after;
+}
+
+/// Every one of `special` is what boxes say, and none that they say is missing.
+void require_changes(const Json& row, const StatedBoxes& boxes) {
+    const Json& stated = row.at("special");
+    std::size_t found = 0;
+    for (std::size_t first = 1; first < boxes.size(); ++first) {
+        if (boxes[first].decided || !boxes[first - 1].decided) continue;
+        std::size_t last = first;
+        while (last < boxes.size() && !boxes[last].decided) ++last;
+        if (last == boxes.size()) break;
+        if (boxes[first - 1].outside == boxes[last].outside) continue;
+        if (found == stated.size() || !is_change_over(stated[found], boxes, first, last))
+            throw BadInput("a special point of a branch is not what its boxes say");
+        ++found;
+    }
+    if (found != stated.size()) throw BadInput("a special point of a branch is in none of its boxes");
+}
+
 proof_check::StatedBranch branch_in(const Json& document, const Json& row) {
     proof_check::StatedBranch branch;
     read_scene(document.at("scene"), branch.cycle);
@@ -207,18 +272,25 @@ proof_check::StatedBranch branch_in(const Json& document, const Json& row) {
         box.decided = !outside.is_null();
         if (box.decided) box.outside = whole(outside);
         if (box.decided) box.inside = whole(part.at("inside"));
+        if (box.middle.empty()) throw BadInput("a box has no middle");
         branch.boxes.push_back(std::move(box));
     }
+    require_stretches(row, branch.boxes);
+    require_changes(row, branch.boxes);
     return branch;
 }
 
 void read_branches(const Json& document, StatedCertificate& stated) {
+    std::size_t boxes = 0;
     for (const Json& row : document.at("branches")) {
         ++stated.orbits;
+        boxes += row.at("boxes").size();
         if (row.at("proven").get<bool>()) stated.branches.push_back({stated.orbits, branch_in(document, row)});
     }
     if (static_cast<std::size_t>(whole(document.at("proven"))) != stated.branches.size())
         throw BadInput("the number of its proven branches is not that of its branches");
+    if (static_cast<std::size_t>(whole(document.at("boxes"))) != boxes)
+        throw BadInput("the number of its boxes is not that of its branches");
     if (stated.branches.empty()) throw BadInput("it states no branch as proven");
 }
 

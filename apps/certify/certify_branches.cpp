@@ -230,6 +230,14 @@ void print_branches(const ProvenBranches& found, double seconds) {
     if (!found.whole) fmt::print("  interrupted: some branches were not followed to their ends\n");
 }
 
+/// Narrower ones are below what a box's ends are known to.
+void require_wide_range(const ParameterRange& along) {
+    constexpr double least = 1e-4;
+    if (!(along.high - along.low >= (1 - 1e-9) * least))  // 0.40005 - 0.39995 is one
+        throw BadInput(fmt::format("along {}={:.12g}:{:.12g}: a range of {:g} or more is wanted", along.name, along.low,
+                                   along.high, least));
+}
+
 /// The record's branches, each with its cycles in order.
 std::vector<RecordedBranch> recorded_branches(const orbits::RecordCycles& cycles, const std::string& file) {
     if (cycles.along.empty() || cycles.branches.empty())
@@ -268,12 +276,18 @@ ProvenBranches covered(const CertifyOptions& options) {
     const ParameterRange along = range_of(cycles);
     if (!(along.low < along.high))
         throw BadInput(fmt::format("record '{}': all its cycles have the same {}", options.record, along.name));
+    require_wide_range(along);
     proof::require_isolated_branch(cycles.scene, *along.parameter, along.low, along.high);
     return cover_branches(cycles.scene, std::move(recorded), along, run_control(options.output));
 }
 
 ProvenBranches followed(const CertifyOptions& options, const ParameterRange& along) {
     AskedCycles asked = asked_cycles(options);
+    for (const double end : {along.low, along.high}) {  // throws where the scene has no such number
+        Scene<double> scene = asked.scene;
+        number_of(scene, *along.parameter) = end;
+        validated(scene);
+    }
     proof::require_isolated_branch(asked.scene, *along.parameter, along.low, along.high);
     for (CyclePlace& place : asked.places) {
         const double value = number_of(place.scene, *along.parameter);
@@ -294,6 +308,7 @@ int certify_branches(CertifyOptions& options) {
     options.start.take_from(options.scene);
     const ParameterRange along =
         options.branches ? ParameterRange{} : parameter_range_from(options.along, false, false);
+    if (!options.branches) require_wide_range(along);
     if (options.all) options.max_time();  // refused before the file is opened
     const std::unique_ptr<OutputFile> file =
         open_certificate(options.certificate, options.output.force, {options.record, options.scene.file()});
@@ -342,6 +357,7 @@ int check_branches(const CertifyOptions& options, const StatedCertificate& state
     } else if (!options.output.quiet) {
         fmt::print("{} of {} branches that it states as proven are proven again\n", holds, stated.branches.size());
         if (!refused.empty()) fmt::print("  {}\n", refused);
+        fmt::print("  why they end, their lengths and shares of a record are no part of that\n");
         if (stated.interrupted) fmt::print("  it was interrupted: branches may be missing from it\n");
     }
     if (is_interrupted()) return exit_interrupted;

@@ -180,14 +180,18 @@ Scene<double> scene_of(const DishFilm& source, const analysis::ImpactFit& fit) {
     return scene;
 }
 
-std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm& source,
-                                     const analysis::ImpactFit& fit) {
+std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm& source, const studies::FilmFit& film) {
+    const analysis::ImpactFit& fit = film.fit;
     const Scene<double> scene = scene_of(source, fit);
     std::string body = fmt::format("--sides {} --alpha {} --beta {}",
                                    scene.is_disk() ? "disk" : fmt::format("{}", scene.sides), scene.alpha, scene.beta);
     if (options.shape.count("inertia-factor") != 0)
         body += fmt::format(" --inertia-factor {}", options.shape.at("inertia-factor"));
     body += fmt::format(" --law {}", fit.laws[fit.best].name);
+    const analysis::Drags& drags = film.arcs.drags;  // below 0 by noise alone
+    if (drags.any())
+        body += fmt::format(" --drag {:.5g} --spin-drag {:.5g} --floor {}", std::max(drags.places, 0.0),
+                            std::max(drags.angle, 0.0), name_of(film.drag.floor));
     const double least = std::max(fit.friction.low, 1e-4);
     const double most = fit.friction_open ? scene.mu : std::max(fit.friction.high, 1.01 * least);
     const double high = fit.restitution.high, low = std::min(fit.restitution.low, 0.9999 * high);

@@ -23,8 +23,7 @@ struct FilmReport {
 Scene<double> scene_of(const DishFilm& source, const analysis::ImpactFit& fit);
 
 /// `swirl classify` and `swirl sweep` on the scene that was found, over the intervals of e and μ.
-std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm& source,
-                                     const analysis::ImpactFit& fit);
+std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm& source, const studies::FilmFit& film);
 
 void write_json(JsonWriter& json, const FilmReport& report);
 void write_record(const RecordGroup& root, const FilmReport& report);

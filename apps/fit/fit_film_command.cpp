@@ -101,10 +101,8 @@ void note_drag(std::vector<std::string>& notes, const studies::FilmFit& film, bo
                         "or the times may not be the film's"));
     note_spin_drag(notes, film.drag.with);
     if (!film.arcs.drags.any()) return;
-    notes.push_back(
-        fmt::format("{}: arcs, e and mu are those with this drag; the commands are of the scene without, which they do "
-                    "not know",
-                    film.arcs.drags.places != 0 ? "the floor drags" : "the spin decays between impacts"));
+    notes.push_back(fmt::format("{}: arcs, e and mu are those with this drag, and the commands have it",
+                                film.arcs.drags.places != 0 ? "the floor drags" : "the spin decays between impacts"));
     if (film.arcs.drags.places != 0 && floors_differ) note_floor(notes, film.drag, floor_given);
 }
 
@@ -156,7 +154,7 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     film.film = studies::fit_film(film.source.frames, film.source.period, film.source.scene,
                                   {film.source.origin, floor, film.source.least_noise}, settings);
     require_fitted(film.film, film.source.scene.alpha, options.series.file);
-    film.commands = commands_on(options, film.source, film.film.fit);
+    film.commands = commands_on(options, film.source, film.film);
     film.simulated = studies::simulated_spin(scene_of(film.source, film.film.fit), film.film);
     report.fit = film.film.fit;
     report.inertia_given = true;

@@ -8,7 +8,7 @@
 namespace swirl::proof {
 
 /// Follows the branch both ways from the claimed cycle, box by box, until the range ends or something is not certain of
-/// boxes of a 10⁻⁹-th of it. A box along which only the stability is not certain is halved down to a 10⁻⁶-th and then
+/// boxes of a 10⁻⁹-th of it. A box along which only the stability is not certain is halved down to a 10⁻⁷-th and then
 /// taken as undecided.
 ///   stop  true: end with what there is
 /// Cost: about a millisecond times the period a box; some ten to a thousand boxes.

@@ -128,6 +128,32 @@ class Certify(InFolder):
         self.assertGreaterEqual(found["proven"], 0.9 * len(found["orbits"]))
         self.assertTrue(all(0.39 <= o["parameters"]["alpha"] <= 0.41 for o in found["orbits"]))
 
+    def test_what_is_said_of_a_branch_is_what_its_boxes_say(self):
+        file = self.certificate(f"{HEXAGON} {STABLE} --along alpha=0.4:0.42")
+        whole = json.loads(file.read_text())
+        self.assertEqual([one["kind"] for one in whole["branches"][0]["special"]], ["neimark-sacker"])
+        branch, place = ["branches", 0], ["branches", 0, "special", 0]
+        for path, value in (([*branch, "stability", 0, "stability"], "saddle"), ([*branch, "stability"], []), ([*place, "kind"], "flip"),
+                            ([*place, "kind"], "fold"), ([*place, "box"], {"alpha": [0.41, 0.412]}), ([*place, "outside_before"], 2),
+                            ([*place, "outside_after"], 0), ([*branch, "special"], []), (["boxes"], whole["boxes"] + 1)):
+            edited = json.loads(file.read_text())
+            inner = edited
+            for key in path[:-1]:
+                inner = inner[key]
+            inner[path[-1]] = value
+            (self.folder / "edited.json").write_text(with_new_checksum(json.dumps(edited, indent=2)))
+            result = run(f"certify --check {self.folder / 'edited.json'}")
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (path, value, result.stderr))
+        (self.folder / "edited.json").write_text(with_new_checksum(json.dumps(whole, indent=2)))
+        self.assertEqual(run(f"certify --check {self.folder / 'edited.json'}").returncode, 0)
+
+    def test_a_range_of_a_branch_is_wide_and_the_scenes(self):
+        for along, words in (("alpha=0.4:0.40001", "a range of 0.0001 or more is wanted"), ("alpha=0.3:1.5", "alpha = 1.5 is outside its range"),
+                             ("restitution=0.85:1.2", "restitution = 1.2 is outside its range")):
+            result = run(f"certify {HEXAGON} {STABLE} --along {along}")
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (along, result.stderr))
+            self.assertIn(words, result.stderr)
+
     def test_a_branch_is_proven_along_a_parameter_and_its_certificate_holds(self):
         file = self.certificate(f"{HEXAGON} {STABLE} --along alpha=0.39:0.41")
         found = json.loads(file.read_text())
@@ -138,8 +164,9 @@ class Certify(InFolder):
         again = document(f"certify --check {file}")
         self.assertEqual((again["stated"], again["proven"], again["reason"]), (1, 1, None))
         text = file.read_text()
-        edited, count = re.subn(r'"outside": 0,(\s*)"inside": 5', r'"outside": 1,\1"inside": 4', text, count=1)
-        self.assertEqual(count, 1)
+        edited, count = re.subn(r'"outside": 0,(\s*)"inside": 5', r'"outside": 1,\1"inside": 4', text)
+        self.assertEqual(count, found["boxes"])
+        edited = edited.replace('"attracting"', '"saddle"')  # all of it agrees, and is false
         self.refused(with_new_checksum(edited), (3,))
 
     def test_the_branches_of_a_record_are_covered(self):

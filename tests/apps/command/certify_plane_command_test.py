@@ -12,7 +12,7 @@ import numpy
 from certificates import with_new_checksum
 from driving import InFolder, document, run
 
-LARGE = len(sys.argv) > 2 and sys.argv[2] == "large" and bool(sys.argv.pop(2))
+LARGE = len(sys.argv) > 1 and sys.argv[1] == "large" and bool(sys.argv.pop(1))  # driving has taken SWIRL
 HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
 #: (plane, resolution, longest flight): a fold and a flip of the hexagon cross the large one.
 SMALL = "--plane alpha=0.3:0.31 --plane beta=0.5:0.51", 0.0625, 2

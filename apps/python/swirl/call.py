@@ -145,7 +145,7 @@ def words_of(name, what, keywords):
     elif what is not None:
         if own.place is None:
             raise ValueError(f"{name} takes a Scene, or its keywords; {reprlib.repr(what)} is none")
-        if series.is_table(what) and not own.place["value"].startswith("FILE"):
+        if own.place["value"].endswith(".h5") and series.is_table(what):
             raise ValueError(f"{name} takes a Scene, a path or a Result{'; numbers are given as series=' if 'series' in own.options else ''}")
         words += _words("what", own.place, what, kept)
     for key, value in given.items():

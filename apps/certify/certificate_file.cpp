@@ -170,7 +170,6 @@ proof_check::StatedPlane plane_in(const Json& document) {
     return plane;
 }
 
-/// A branch, its boxes, and that what is said of them together is what they say.
 using StatedBoxes = std::vector<proof_check::StatedBox>;
 
 /// Of a box by its multipliers, as `stability` names it.
@@ -200,8 +199,9 @@ void require_stretches(const Json& row, const StatedBoxes& boxes) {
 /// where, and whether the parameter runs along all of them.
 bool is_change_over(const Json& change, const StatedBoxes& boxes, std::size_t first, std::size_t last) {
     const int before = boxes[first - 1].outside, after = boxes[last].outside;
-    const auto& [name, range] = *change.at("box").items().begin();
-    const auto [low, high] = range_in(range);
+    const Json& place = change.at("box");
+    if (place.size() != 1) throw BadInput("a special point of a branch lies along one parameter");
+    const auto [low, high] = range_in(place.begin().value());
     bool regular = true, inside = true;
     for (std::size_t i = first; i < last; ++i) {
         const proof_check::StatedBox& box = boxes[i];
@@ -236,6 +236,7 @@ void require_changes(const Json& row, const StatedBoxes& boxes) {
     if (found != stated.size()) throw BadInput("a special point of a branch is in none of its boxes");
 }
 
+/// A branch, its boxes, and that what is said of them together is what they say.
 proof_check::StatedBranch branch_in(const Json& document, const Json& row) {
     proof_check::StatedBranch branch;
     read_scene(document.at("scene"), branch.cycle);

@@ -134,7 +134,7 @@ class Certify(InFolder):
         self.assertEqual([one["kind"] for one in whole["branches"][0]["special"]], ["neimark-sacker"])
         branch, place = ["branches", 0], ["branches", 0, "special", 0]
         for path, value in (([*branch, "stability", 0, "stability"], "saddle"), ([*branch, "stability"], []), ([*place, "kind"], "flip"),
-                            ([*place, "kind"], "fold"), ([*place, "box"], {"alpha": [0.41, 0.412]}), ([*place, "outside_before"], 2),
+                            ([*place, "kind"], "fold"), ([*place, "box"], {"alpha": [0.41, 0.412]}), ([*place, "box"], {}), ([*place, "outside_before"], 2),
                             ([*place, "outside_after"], 0), ([*branch, "special"], []), (["boxes"], whole["boxes"] + 1)):
             edited = json.loads(file.read_text())
             inner = edited

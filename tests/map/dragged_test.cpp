@@ -5,6 +5,7 @@
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/dragged_draw.hpp"
+#include "tests/map/reference_error.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
@@ -20,32 +21,9 @@ namespace swirl {
 namespace {
 
 using nlohmann::json;
+using tests::error_of;
 using tests::number;
-
-/// As of tests/map/trajectories_test.cpp.
-struct Tolerance {
-    double relative, floor, reach;
-};
-
-template <class T>
-double error_of(const LabState<T>& state, const Collision<T>& collision, const json& row) {
-    using std::fabs;
-    double error = 0;
-    const auto compare = [&](const T& value, const char* key) {
-        error = std::max(error, static_cast<double>(fabs(T(value - number<T>(row[key])))));
-    };
-    compare(state.t, "t");
-    compare(state.x, "x");
-    compare(state.y, "y");
-    compare(state.vx, "vx");
-    compare(state.vy, "vy");
-    compare(state.angle, "angle");
-    compare(state.spin, "spin");
-    compare(collision.impulse.normal, "normal_impulse");
-    compare(collision.impulse.tangential, "tangential_impulse");
-    const T psi = section_point(collision.after).psi - number<T>(row["psi"]);
-    return std::max(error, static_cast<double>(fabs(wrapped_angle(psi))));
-}
+using tests::Tolerance;
 
 template <class T>
 Scene<T> dragged_scene_from(const json& c) {

@@ -1,6 +1,7 @@
 // The 48 orbits of tests/references/trajectories.json, in three precisions.
 #include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
+#include "tests/map/reference_error.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
@@ -14,38 +15,14 @@ namespace swirl {
 namespace {
 
 using nlohmann::json;
+using tests::error_of;
 using tests::number;
-
-/// Error ≤ max(relative × amplification, floor) at every impact whose amplification is at most `reach`.
-struct Tolerance {
-    double relative, floor, reach;
-};
+using tests::Tolerance;
 
 struct Tally {
     int orbits = 0, impacts = 0;
     double worst = 0;  ///< error in units of what is allowed
 };
-
-/// Largest error of one impact, in all that the reference has (times and angles as they are, unwound; ψ as an angle).
-template <class T>
-double error_of(const LabState<T>& state, const Collision<T>& collision, const json& row) {
-    using std::fabs;
-    double error = 0;
-    const auto compare = [&](const T& value, const char* key) {
-        error = std::max(error, static_cast<double>(fabs(T(value - number<T>(row[key])))));
-    };
-    compare(state.t, "t");
-    compare(state.x, "x");
-    compare(state.y, "y");
-    compare(state.vx, "vx");
-    compare(state.vy, "vy");
-    compare(state.angle, "angle");
-    compare(state.spin, "spin");
-    compare(collision.impulse.normal, "normal_impulse");
-    compare(collision.impulse.tangential, "tangential_impulse");
-    const T psi = section_point(collision.after).psi - number<T>(row["psi"]);
-    return std::max(error, static_cast<double>(fabs(wrapped_angle(psi))));
-}
 
 template <class Map>
 void follow(const Map& map, const json& orbit, const Tolerance& tolerance, Tally& tally) {

@@ -113,7 +113,8 @@ double next_impact(const Truth& truth, const Flight& from) {
 /// turn of the swirl, or where the body stays on the wall.
 std::vector<analysis::FilmFrame> filmed(const Truth& truth, double noise, int turns, int frames_a_turn, unsigned seed) {
     std::mt19937_64 engine(seed);
-    std::normal_distribution<double> normal(0, noise);
+    // Of the noise's unit, for a distribution's width must not be 0, which a film's noise can be.
+    std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> even(0, 2 * pi);
     Flight body;
     body.place = truth.beta, body.velocity = std::polar(1.0, even(engine)), body.angle = even(engine);
@@ -127,7 +128,7 @@ std::vector<analysis::FilmFrame> filmed(const Truth& truth, double noise, int tu
         }
         if (std::isnan(end)) break;
         const Flight now = body.at(truth, time);
-        const auto seen = [&](Complex point) { return point + Complex(normal(engine), normal(engine)); };
+        const auto seen = [&](Complex point) { return point + noise * Complex(normal(engine), normal(engine)); };
         const Complex centre = seen(now.place), vertex = seen(now.place + std::polar(truth.alpha, now.angle));
         analysis::FilmFrame frame;
         frame.time = time;

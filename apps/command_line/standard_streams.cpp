@@ -47,6 +47,7 @@ void print_text(std::string_view text) {
 
 void report(const std::string& line) {
     if (const auto caller = caller_of_this_thread()) return caller->take_message(printable(line));
+    std::fflush(stdout);  // where both go to one file, a line must not stand within another
     const std::string whole = printable(line) + "\n";  // at once, so that lines of several processes don't mix
     std::fwrite(whole.data(), 1, whole.size(), stderr);
 }

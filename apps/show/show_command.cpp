@@ -81,7 +81,9 @@ void show_record(const RecordReader& record, const ShowOptions& options) {
     if (!options.csv.empty()) {
         const ShownTable table = table_asked_for(record, options);
         write_csv(record, table, options.csv);
-        if (!options.quiet) report(fmt::format("swirl: {} rows of {} in '{}'", table.rows(), table.name, options.csv));
+        if (!options.quiet)
+            report(fmt::format("swirl: {} row{} of {} in '{}'", table.rows(), table.rows() == 1 ? "" : "s", table.name,
+                               options.csv));
     } else if (options.json) {
         print_record(record, options);
     } else if (!options.quiet) {

@@ -53,6 +53,14 @@ class Streams(InFolder):
         self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_output_and_messages_in_one_file_keep_their_lines(self):
+        # A table longer than what the library holds back before it writes.
+        result = self.shell(f"$S {SWEEP.replace(':3', ':60')} >both.txt 2>&1")
+        self.assertEqual(result.returncode, 0)
+        text = (self.folder / "both.txt").read_text()
+        self.assertGreater(len(text), 4200)
+        self.assertRegex(text.splitlines()[-1], r"^swirl: [0-9.]+ s$")
+
     def test_a_message_that_cannot_be_written_changes_no_exit_code(self):
         for closed in ("2>/dev/full", "2>&-", "2> >(exec true)"):
             for line, code in ((f"{SWEEP} -o c.h5", 0), (f"{SWEEP} -o c.h5", 0), ("simulate --sides 2", 2),

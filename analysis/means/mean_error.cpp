@@ -86,13 +86,8 @@ Ratio ratio_of(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 std::string_view name_of(SamplingOutcome outcome) {
-    switch (outcome) {
-        case SamplingOutcome::sampled:
-            return "sampled";
-        case SamplingOutcome::too_short:
-            return "too-short";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"sampled", "too-short"};
+    return names[static_cast<std::size_t>(outcome)];
 }
 
 MeanError error_of_mean(std::span<const double> values) {

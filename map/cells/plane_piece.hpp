@@ -27,23 +27,9 @@ enum class Doubt {
     not_looked_at,   ///< a stop came before
 };
 inline std::string_view name_of(Doubt doubt) {
-    switch (doubt) {
-        case Doubt::none:
-            return "none";
-        case Doubt::equations:
-            return "equations";
-        case Doubt::longest_flight:
-            return "longest-flight";
-        case Doubt::contact_mode:
-            return "contact-mode";
-        case Doubt::clearance:
-            return "clearance";
-        case Doubt::stability:
-            return "stability";
-        case Doubt::not_looked_at:
-            break;
-    }
-    return "not-looked-at";
+    static constexpr std::string_view names[] = {"none",      "equations", "longest-flight", "contact-mode",
+                                                 "clearance", "stability", "not-looked-at"};
+    return names[static_cast<std::size_t>(doubt)];
 }
 
 /// A cell of the plane. `proven`: for every pair of parameters in it there are exactly `fixed_points` fixed points with

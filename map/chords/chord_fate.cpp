@@ -3,6 +3,7 @@
 #include "map/chords/chord_response.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 
@@ -55,17 +56,8 @@ Fed highest_fed(const std::function<double(double)>& g, double slowest, double f
 }  // namespace
 
 std::string_view name_of(ChordFate fate) {
-    switch (fate) {
-        case ChordFate::leaves:
-            return "leaves";
-        case ChordFate::starves:
-            return "starves";
-        case ChordFate::limit:
-            return "limit";
-        case ChordFate::accelerates:
-            return "accelerates";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"leaves", "starves", "limit", "accelerates"};
+    return names[static_cast<std::size_t>(fate)];
 }
 
 double diameter_growth(const Scene<double>& scene) {

@@ -3,6 +3,7 @@
 
 #include "map/contact/reaction.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 
@@ -21,25 +22,9 @@ enum class ContactEvent {
 };
 
 inline std::string_view name_of(ContactEvent event) {
-    switch (event) {
-        case ContactEvent::horizon:
-            return "horizon";
-        case ContactEvent::release:
-            return "release";
-        case ContactEvent::slip:
-            return "slip";
-        case ContactEvent::stick:
-            return "stick";
-        case ContactEvent::strike:
-            return "strike";
-        case ContactEvent::lift:
-            return "lift";
-        case ContactEvent::jam:
-            return "jam";
-        case ContactEvent::landing:
-            return "landing";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"horizon", "release", "slip", "stick",
+                                                 "strike",  "lift",    "jam",  "landing"};
+    return names[static_cast<std::size_t>(event)];
 }
 
 /// What accumulates along a contact.

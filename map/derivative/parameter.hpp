@@ -20,21 +20,8 @@ inline constexpr Parameter all_parameters[] = {Parameter::alpha,       Parameter
 
 /// By the name of the command's flag.
 inline std::string_view name_of(Parameter parameter) {
-    switch (parameter) {
-        case Parameter::alpha:
-            return "alpha";
-        case Parameter::beta:
-            return "beta";
-        case Parameter::mu:
-            return "mu";
-        case Parameter::restitution:
-            return "restitution";
-        case Parameter::inertia_factor:
-            return "inertia-factor";
-        case Parameter::drag:
-            return "drag";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"alpha", "beta", "mu", "restitution", "inertia-factor", "drag"};
+    return names[static_cast<std::size_t>(parameter)];
 }
 
 inline std::optional<Parameter> parameter_named(std::string_view name) {

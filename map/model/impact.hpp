@@ -11,6 +11,7 @@
 #include "map/numbers/real.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace swirl {
@@ -23,21 +24,9 @@ enum class ImpactRule { frictionless, poisson, newton, stronge };
 enum class ContactMode { frictionless, sliding, c_sticking, r_sticking, c_reversed, r_reversed };
 
 inline std::string_view name_of(ContactMode mode) {
-    switch (mode) {
-        case ContactMode::frictionless:
-            return "frictionless";
-        case ContactMode::sliding:
-            return "sliding";
-        case ContactMode::c_sticking:
-            return "c-sticking";
-        case ContactMode::r_sticking:
-            return "r-sticking";
-        case ContactMode::c_reversed:
-            return "c-reversed";
-        case ContactMode::r_reversed:
-            return "r-reversed";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"frictionless", "sliding",    "c-sticking",
+                                                 "r-sticking",   "c-reversed", "r-reversed"};
+    return names[static_cast<std::size_t>(mode)];
 }
 
 /// Has the slip stopped for good by the impact's end, in compression or in restitution?

@@ -4,6 +4,7 @@
 #include "map/numbers/real.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -52,15 +53,8 @@ inline T uniform_inertia_factor(int sides) {
 
 /// "poisson", "newton", "stronge".
 inline std::string_view name_of(Law law) {
-    switch (law) {
-        case Law::poisson:
-            return "poisson";
-        case Law::newton:
-            return "newton";
-        case Law::stronge:
-            return "stronge";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"poisson", "newton", "stronge"};
+    return names[static_cast<std::size_t>(law)];
 }
 
 /// "dish", "table".

@@ -1,6 +1,7 @@
 // How an orbit of the collision map ends. An ending is a value with a name, never an exception, a NaN or a hang.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace swirl {
@@ -25,27 +26,10 @@ inline bool ends_in_contact(Outcome outcome) {
 }
 
 inline std::string_view name_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::completed:
-            return "completed";
-        case Outcome::no_contact:
-            return "no-contact";
-        case Outcome::in_contact:
-            return "in-contact";
-        case Outcome::contact_cut:
-            return "contact-cut-short";
-        case Outcome::resting:
-            return "resting";
-        case Outcome::diverged:
-            return "diverged";
-        case Outcome::unresolved:
-            return "unresolved";
-        case Outcome::riding:
-            return "riding";
-        case Outcome::contact_with_drag:
-            return "contact-with-drag";
-    }
-    return "";
+    static constexpr std::string_view names[] = {"completed",         "no-contact", "in-contact",
+                                                 "contact-cut-short", "resting",    "diverged",
+                                                 "unresolved",        "riding",     "contact-with-drag"};
+    return names[static_cast<std::size_t>(outcome)];
 }
 
 }  // namespace swirl

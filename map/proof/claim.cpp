@@ -3,43 +3,19 @@
 #include "map/proof/branch_claim.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace swirl::proof {
 
 std::string_view name_of(ProvenStability stability) {
-    switch (stability) {
-        case ProvenStability::attracting:
-            return "attracting";
-        case ProvenStability::saddle:
-            return "saddle";
-        case ProvenStability::repelling:
-            return "repelling";
-        case ProvenStability::neutral:
-            return "neutral";
-        case ProvenStability::undecided:
-            break;
-    }
-    return "undecided";
+    static constexpr std::string_view names[] = {"attracting", "saddle", "repelling", "neutral", "undecided"};
+    return names[static_cast<std::size_t>(stability)];
 }
 
 std::string_view name_of(BranchEndKind kind) {
-    switch (kind) {
-        case BranchEndKind::range:
-            return "range";
-        case BranchEndKind::closed:
-            return "closed";
-        case BranchEndKind::contact_mode:
-            return "contact-mode";
-        case BranchEndKind::clearance:
-            return "clearance";
-        case BranchEndKind::period:
-            return "period";
-        case BranchEndKind::equations:
-            return "equations";
-        case BranchEndKind::stopped:
-            break;
-    }
-    return "stopped";
+    static constexpr std::string_view names[] = {"range",  "closed",    "contact-mode", "clearance",
+                                                 "period", "equations", "stopped"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 double CycleProof::radius() const {

@@ -4,19 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace swirl {
 
 std::string_view name_of(ImpactFate fate) {
-    switch (fate) {
-        case ImpactFate::fade:
-            return "fade";
-        case ImpactFate::conserved:
-            return "conserved";
-        case ImpactFate::can_last:
-            break;
-    }
-    return "can-last";
+    static constexpr std::string_view names[] = {"fade", "conserved", "can-last"};
+    return names[static_cast<std::size_t>(fate)];
 }
 
 namespace {

@@ -13,17 +13,8 @@
 namespace swirl {
 
 std::string_view name_of(SteadySet set) {
-    switch (set) {
-        case SteadySet::points:
-            return "points";
-        case SteadySet::families:
-            return "families";
-        case SteadySet::none_lossy_disk:
-            return "none-lossy-disk";
-        case SteadySet::none_frictionless:
-            break;
-    }
-    return "none-frictionless";
+    static constexpr std::string_view names[] = {"points", "families", "none-lossy-disk", "none-frictionless"};
+    return names[static_cast<std::size_t>(set)];
 }
 
 std::string_view why_none(SteadySet set) {

@@ -5,6 +5,27 @@
 
 namespace swirl::intervals {
 
+namespace {
+
+/// What a function of Arb makes of some balls.
+template <class Function, class... Balls>
+Ball by(Function* function, const Balls&... x) {
+    Ball result;
+    function(result.raw(), x.raw()..., ball_precision);
+    return result;
+}
+
+double bound(const Ball& x, void (*get)(arf_t, const arb_t, slong), arf_rnd_t rounding) {
+    arf_t value;
+    arf_init(value);
+    get(value, x.raw(), 64);
+    const double result = arf_get_d(value, rounding);
+    arf_clear(value);
+    return result;
+}
+
+}  // namespace
+
 Ball between(double low, double high) {
     Ball result;
     arf_t a, b;
@@ -48,33 +69,19 @@ Ball decimal(double value) {
 }
 
 Ball pi_ball() {
-    Ball result;
-    arb_const_pi(result.raw(), ball_precision);
-    return result;
+    return by(arb_const_pi);
 }
-
 Ball hull(const Ball& a, const Ball& b) {
-    Ball result;
-    arb_union(result.raw(), a.raw(), b.raw(), ball_precision);
-    return result;
+    return by(arb_union, a, b);
 }
-
 Ball sqrt(const Ball& x) {
-    Ball result;
-    arb_sqrt(result.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_sqrt, x);
 }
-
 Ball acos(const Ball& x) {
-    Ball result;
-    arb_acos(result.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_acos, x);
 }
-
 Ball asin(const Ball& x) {
-    Ball result;
-    arb_asin(result.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_asin, x);
 }
 
 Ball abs(const Ball& x) {
@@ -84,21 +91,13 @@ Ball abs(const Ball& x) {
 }
 
 Ball square(const Ball& x) {
-    Ball result;
-    arb_sqr(result.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_sqr, x);
 }
-
 Ball atan2(const Ball& y, const Ball& x) {
-    Ball result;
-    arb_atan2(result.raw(), y.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_atan2, y, x);
 }
-
 Ball sinc(const Ball& x) {
-    Ball result;
-    arb_sinc(result.raw(), x.raw(), ball_precision);
-    return result;
+    return by(arb_sinc, x);
 }
 
 SineCosine sine_cosine(const Ball& x) {
@@ -108,23 +107,8 @@ SineCosine sine_cosine(const Ball& x) {
 }
 
 Ball intersection(const Ball& a, const Ball& b) {
-    Ball result;
-    arb_intersection(result.raw(), a.raw(), b.raw(), ball_precision);
-    return result;
+    return by(arb_intersection, a, b);
 }
-
-namespace {
-
-double bound(const Ball& x, void (*get)(arf_t, const arb_t, slong), arf_rnd_t rounding) {
-    arf_t value;
-    arf_init(value);
-    get(value, x.raw(), 64);
-    const double result = arf_get_d(value, rounding);
-    arf_clear(value);
-    return result;
-}
-
-}  // namespace
 
 double lower(const Ball& x) {
     return bound(x, arb_get_lbound_arf, ARF_RND_FLOOR);

@@ -70,7 +70,6 @@ struct Curved {
         rest = detail::at_least(rest + x.rest + detail::unit_roundoff * size);
         return *this;
     }
-    Curved& operator-=(const Curved& x) { return *this += -x; }
     void add_product(const Curved& x, const Curved& y) { *this += x * y; }
 
     friend Curved operator-(Curved x) {
@@ -79,8 +78,6 @@ struct Curved {
         for (double& c : x.two) c = -c;
         return x;
     }
-    friend Curved operator+(Curved x, const Curved& y) { return x += y; }
-    friend Curved operator-(Curved x, const Curved& y) { return x += -y; }
     friend Curved operator*(const Curved& x, const Curved& y) {
         Curved product(x.mid * y.mid);
         double size = std::abs(product.mid);
@@ -104,17 +101,9 @@ struct Curved {
                              y.rest * (std::abs(x.mid) + lx + qx) + x.rest * y.rest + 6 * detail::unit_roundoff * size);
         return product;
     }
-    friend Curved operator/(const Curved& x, const Curved& y) { return x * reciprocal(y); }
 };
 
 namespace detail {
-
-template <std::size_t K>
-Curved<K> unbounded_curve() {
-    Curved<K> x;
-    x.rest = std::numeric_limits<double>::infinity();
-    return x;
-}
 
 /// f(x) from f, f′, f″ at mid and a bound of what is beyond, |x − mid|³ |f‴|/6.
 template <std::size_t K>
@@ -143,7 +132,7 @@ Ball values_of(const Curved<K>& x) {
 template <std::size_t K>
 Curved<K> reciprocal(const Curved<K>& x) {
     const double away = x.reach(), least = std::abs(x.mid) - away;
-    if (!(least > 0)) return detail::unbounded_curve<K>();
+    if (!(least > 0)) return detail::unbounded<Curved<K>>();
     const double value = 1 / x.mid, square_of = value * value, u = detail::unit_roundoff;
     // 1/x = 1/m − d/m² + d²/m³ − d³/(m³ x)
     return detail::by_taylor(x, {value, 2 * u * std::abs(value)}, {-square_of, 8 * u * square_of},
@@ -159,7 +148,7 @@ Curved<K> square(const Curved<K>& x) {
 template <std::size_t K>
 Curved<K> sqrt(const Curved<K>& x) {
     const double away = x.reach(), least = x.mid - away;
-    if (!(least > 0)) return detail::unbounded_curve<K>();
+    if (!(least > 0)) return detail::unbounded<Curved<K>>();
     const double root = std::sqrt(x.mid), slope = 0.5 / root, curvature = -0.5 * slope / x.mid,
                  u = detail::unit_roundoff;
     // |f‴| = (3/8) x^(−5/2), largest at the least x
@@ -179,27 +168,6 @@ CurvedSineCosine<K> sine_cosine(const Curved<K>& x) {
     const detail::AtPoint less_sine{-at.sine.value, at.sine.error}, less_cosine{-at.cosine.value, at.cosine.error};
     return {detail::by_taylor(x, at.sine, at.cosine, less_sine, sixth),
             detail::by_taylor(x, at.cosine, less_sine, less_cosine, sixth)};
-}
-
-template <std::size_t K>
-Curved<K> atan2(const Curved<K>& y, const Curved<K>& x) {
-    const double length = std::hypot(x.mid, y.mid);
-    if (!(length > 0 && std::isfinite(length))) return detail::unbounded_curve<K>();
-    const double c = x.mid / length, s = y.mid / length;
-    const Curved<K> along = Curved<K>(c) * x + Curved<K>(s) * y, across = Curved<K>(c) * y - Curved<K>(s) * x;
-    if (!is_positive(along)) return detail::unbounded_curve<K>();
-    Curved<K> turned = across / along;  // its middle is rounding: atan t = t within |t|³/3
-    const double away = std::abs(turned.mid) + turned.reach();
-    turned.rest = detail::at_least(turned.rest + away * away * away * (1.0 / 3) * (1 + 0x1p-40));
-    const detail::AtPoint start = detail::direction_at(s, c);
-    Curved<K> from(start.value);
-    from.rest = start.error;
-    return from + turned;
-}
-
-template <std::size_t K>
-Curved<K> asin(const Curved<K>& x) {
-    return atan2(x, sqrt(Curved<K>(1) - square(x)));
 }
 
 /// As in sloped.hpp: third derivatives are ≤ 1/4.
@@ -227,12 +195,6 @@ Curved<K> hull(const Curved<K>& a, const Curved<K>& b) {
     Curved<K> half = Curved<K>(0.5) * (a + b), apart = Curved<K>(0.5) * (a - b);
     half.rest = detail::at_least(half.rest + std::abs(apart.mid) + apart.reach() + a.rest + b.rest);
     return half;
-}
-
-template <std::size_t K>
-Curved<K> abs(const Curved<K>& x) {
-    if (is_positive(x)) return x;
-    return is_negative(x) ? -x : hull(x, -x);
 }
 
 }  // namespace swirl::intervals

@@ -47,6 +47,101 @@ AtPoint sine_moment_at(double x, int k);
 
 }  // namespace detail
 
+/// A number that lies no farther from its middle than it reaches: Sloped, Curved.
+template <class X>
+concept Centred = requires(const X& x) {
+    { x.mid } -> std::convertible_to<double>;
+    { x.reach() } -> std::convertible_to<double>;
+};
+
+namespace detail {
+
+template <Centred X>
+X unbounded() {
+    X x;
+    x.rest = std::numeric_limits<double>::infinity();
+    return x;
+}
+
+}  // namespace detail
+
+template <Centred X>
+X& operator-=(X& x, const X& y) {
+    return x += -y;
+}
+template <Centred X>
+X operator+(X x, const X& y) {
+    return x += y;
+}
+template <Centred X>
+X operator-(X x, const X& y) {
+    return x += -y;
+}
+template <Centred X>
+X operator/(const X& x, const X& y) {
+    return x * reciprocal(y);
+}
+
+/// Bounds: certainly no larger, no smaller.
+template <Centred X>
+double lower(const X& x) {
+    return std::nextafter(x.mid - x.reach(), -std::numeric_limits<double>::infinity());
+}
+template <Centred X>
+double upper(const X& x) {
+    return std::nextafter(x.mid + x.reach(), std::numeric_limits<double>::infinity());
+}
+template <Centred X>
+double middle(const X& x) {
+    return x.mid;
+}
+template <Centred X>
+bool is_positive(const X& x) {
+    return lower(x) > 0;
+}
+template <Centred X>
+bool is_negative(const X& x) {
+    return upper(x) < 0;
+}
+template <Centred X>
+bool is_finite(const X& x) {
+    return std::isfinite(x.mid) && std::isfinite(x.reach());
+}
+template <Centred X>
+bool contains_zero(const X& x) {
+    return !is_positive(x) && !is_negative(x);
+}
+template <Centred X>
+const X& value_of(const X& x) {
+    return x;
+}
+
+/// The angle of (x, y), counted on from that of the middles; not known where (x, y) may lie across from those.
+template <Centred X>
+X atan2(const X& y, const X& x) {
+    const double length = std::hypot(x.mid, y.mid);
+    if (!(length > 0 && std::isfinite(length))) return detail::unbounded<X>();
+    const double c = x.mid / length, s = y.mid / length;
+    const X along = X(c) * x + X(s) * y, across = X(c) * y - X(s) * x;
+    if (!is_positive(along)) return detail::unbounded<X>();
+    X turned = across / along;  // its middle is rounding: atan t = t within |t|³/3
+    const double away = std::abs(turned.mid) + turned.reach();
+    turned.rest = detail::at_least(turned.rest + away * away * away * (1.0 / 3) * (1 + 0x1p-40));
+    const detail::AtPoint start = detail::direction_at(s, c);
+    X from(start.value);
+    from.rest = start.error;
+    return from + turned;
+}
+template <Centred X>
+X asin(const X& x) {
+    return atan2(x, sqrt(X(1) - square(x)));
+}
+template <Centred X>
+X abs(const X& x) {
+    if (is_positive(x)) return x;
+    return is_negative(x) ? -x : hull(x, -x);
+}
+
 template <std::size_t K>
 struct Sloped {
     double mid = 0;
@@ -84,7 +179,6 @@ struct Sloped {
         rest = detail::at_least(rest + x.rest + detail::unit_roundoff * size);
         return *this;
     }
-    Sloped& operator-=(const Sloped& x) { return *this += -x; }
     void add_product(const Sloped& x, const Sloped& y) { *this += x * y; }
 
     friend Sloped operator-(Sloped x) {
@@ -92,8 +186,6 @@ struct Sloped {
         for (double& b : x.by) b = -b;
         return x;
     }
-    friend Sloped operator+(Sloped x, const Sloped& y) { return x += y; }
-    friend Sloped operator-(Sloped x, const Sloped& y) { return x += -y; }
     friend Sloped operator*(const Sloped& x, const Sloped& y) {
         Sloped product(x.mid * y.mid);
         double size = std::abs(product.mid), wide_x = 0, wide_y = 0;
@@ -109,17 +201,9 @@ struct Sloped {
                                         (wide_x + x.rest) * (wide_y + y.rest) + 4 * detail::unit_roundoff * size);
         return product;
     }
-    friend Sloped operator/(const Sloped& x, const Sloped& y) { return x * reciprocal(y); }
 };
 
 namespace detail {
-
-template <std::size_t K>
-Sloped<K> unbounded() {
-    Sloped<K> x;
-    x.rest = std::numeric_limits<double>::infinity();
-    return x;
-}
 
 /// f(x) from f(mid), f′(mid) and a bound of |f(x) − f(mid) − f′(mid)(x − mid)|.
 template <std::size_t K>
@@ -134,46 +218,6 @@ Sloped<K> by_taylor(const Sloped<K>& x, const AtPoint& value, const AtPoint& slo
 
 }  // namespace detail
 
-/// A number that lies no farther from its middle than it reaches: Sloped, Curved.
-template <class X>
-concept Centred = requires(const X& x) {
-    { x.mid } -> std::convertible_to<double>;
-    { x.reach() } -> std::convertible_to<double>;
-};
-
-/// Bounds: certainly no larger, no smaller.
-template <Centred X>
-double lower(const X& x) {
-    return std::nextafter(x.mid - x.reach(), -std::numeric_limits<double>::infinity());
-}
-template <Centred X>
-double upper(const X& x) {
-    return std::nextafter(x.mid + x.reach(), std::numeric_limits<double>::infinity());
-}
-template <Centred X>
-double middle(const X& x) {
-    return x.mid;
-}
-template <Centred X>
-bool is_positive(const X& x) {
-    return lower(x) > 0;
-}
-template <Centred X>
-bool is_negative(const X& x) {
-    return upper(x) < 0;
-}
-template <Centred X>
-bool is_finite(const X& x) {
-    return std::isfinite(x.mid) && std::isfinite(x.reach());
-}
-template <Centred X>
-bool contains_zero(const X& x) {
-    return !is_positive(x) && !is_negative(x);
-}
-template <Centred X>
-const X& value_of(const X& x) {
-    return x;
-}
 template <std::size_t K>
 bool is_exact_zero(const Sloped<K>& x) {
     return x.mid == 0 && x.rest == 0 && x.slopes() == 0;
@@ -187,7 +231,7 @@ Ball values_of(const Sloped<K>& x) {
 template <std::size_t K>
 Sloped<K> reciprocal(const Sloped<K>& x) {
     const double away = x.reach(), least = std::abs(x.mid) - away;
-    if (!(least > 0)) return detail::unbounded<K>();
+    if (!(least > 0)) return detail::unbounded<Sloped<K>>();
     const double value = 1 / x.mid, slope = -(value * value);
     const double tight = 1 - 0x1p-40;  // the bounds below are quotients of rounded numbers
     // 1/x = 1/m − (x − m)/m² + (x − m)²/(m² x)
@@ -210,7 +254,7 @@ Sloped<K> square(const Sloped<K>& x) {
 template <std::size_t K>
 Sloped<K> sqrt(const Sloped<K>& x) {
     const double away = x.reach(), least = x.mid - away;
-    if (!(least > 0)) return detail::unbounded<K>();
+    if (!(least > 0)) return detail::unbounded<Sloped<K>>();
     const double root = std::sqrt(x.mid), slope = 0.5 / root, sum = (std::sqrt(least) + root) * (1 - 0x1p-40);
     return detail::by_taylor(x, {root, 2 * detail::unit_roundoff * root}, {slope, 4 * detail::unit_roundoff * slope},
                              away * away * slope / (sum * sum));
@@ -230,29 +274,6 @@ SlopedSineCosine<K> sine_cosine(const Sloped<K>& x) {
     const detail::AtPoint less{-at.sine.value, at.sine.error};
     return {detail::by_taylor(x, at.sine, at.cosine, half * largest(at.sine)),
             detail::by_taylor(x, at.cosine, less, half * largest(at.cosine))};
-}
-
-/// The angle of (x, y), counted on from that of the middles; not known where (x, y) may lie across from those.
-template <std::size_t K>
-Sloped<K> atan2(const Sloped<K>& y, const Sloped<K>& x) {
-    const double length = std::hypot(x.mid, y.mid);
-    if (!(length > 0 && std::isfinite(length))) return detail::unbounded<K>();
-    const double c = x.mid / length, s = y.mid / length;
-    const Sloped<K> along = Sloped<K>(c) * x + Sloped<K>(s) * y, across = Sloped<K>(c) * y - Sloped<K>(s) * x;
-    if (!is_positive(along)) return detail::unbounded<K>();
-    const Sloped<K> t = across / along;  // its middle is rounding: atan t = t within |t|³/3
-    const double away = std::abs(t.mid) + t.reach();
-    Sloped<K> turned = t;
-    turned.rest = detail::at_least(turned.rest + away * away * away * (1.0 / 3) * (1 + 0x1p-40));
-    const detail::AtPoint start = detail::direction_at(s, c);
-    Sloped<K> from(start.value);
-    from.rest = start.error;
-    return from + turned;
-}
-
-template <std::size_t K>
-Sloped<K> asin(const Sloped<K>& x) {
-    return atan2(x, sqrt(Sloped<K>(1) - square(x)));
 }
 
 /// sin x / x and (1 − cos x)/x, also at 0: ∫₀¹ cos(xu) du, ∫₀¹ sin(xu) du, whose second derivatives are ≤ 1/3.
@@ -281,12 +302,6 @@ Sloped<K> hull(const Sloped<K>& a, const Sloped<K>& b) {
     }
     result.rest = detail::at_least(apart + std::max(a.rest, b.rest) + 4 * detail::unit_roundoff * (size + apart));
     return result;
-}
-
-template <std::size_t K>
-Sloped<K> abs(const Sloped<K>& x) {
-    if (is_positive(x)) return x;
-    return is_negative(x) ? -x : hull(x, -x);
 }
 
 }  // namespace swirl::intervals

@@ -11,6 +11,28 @@
 
 namespace swirl::intervals {
 
+RunningMatrix product(const RunningMatrix& a, const RunningMatrix& b) {
+    RunningMatrix result(a.size(), std::vector<Curved<1>>(a.size()));
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < a.size(); ++j)
+            for (std::size_t l = 0; l < a.size(); ++l) result[i][j] += a[i][l] * b[l][j];
+    return result;
+}
+
+CurvedMatrix with_second_variable(const RunningMatrix& matrix) {
+    CurvedMatrix result;
+    for (const auto& row : matrix) {
+        auto& widened = result.emplace_back();
+        for (const Curved<1>& x : row) {
+            Curved<2>& y = widened.emplace_back(x.mid);
+            y.by[0] = x.by[0];
+            y.two[Curved<2>::place(0, 0)] = x.two[0];
+            y.rest = x.rest;
+        }
+    }
+    return result;
+}
+
 namespace {
 
 using Turning = Curved<3>;  ///< by both numbers and θ

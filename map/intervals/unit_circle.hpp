@@ -10,15 +10,14 @@ namespace swirl::intervals {
 
 /// To second order in both.
 using CurvedMatrix = std::vector<std::vector<Curved<2>>>;
+/// By one number alone.
+using RunningMatrix = std::vector<std::vector<Curved<1>>>;
 
-/// The same number with a second variable, on which it does not depend.
-inline Curved<2> with_second_variable(const Curved<1>& x) {
-    Curved<2> result(x.mid);
-    result.by[0] = x.by[0];
-    result.two[Curved<2>::place(0, 0)] = x.two[0];
-    result.rest = x.rest;
-    return result;
-}
+/// Of square matrices.
+RunningMatrix product(const RunningMatrix& a, const RunningMatrix& b);
+
+/// A matrix with a second variable, on which it does not depend.
+CurvedMatrix with_second_variable(const RunningMatrix& matrix);
 
 /// The number for all values of the two, if none lies on the circle for any; nothing where that is not shown.
 ///

@@ -19,7 +19,7 @@ namespace {
 using intervals::CurvePiece;
 using RunningUnknowns = std::vector<Running>;
 using Steps = std::vector<BallStep<RunningDual>>;
-using RunningMatrix = std::vector<std::vector<Running>>;
+using intervals::RunningMatrix;
 
 BoxStanding doubtful(BranchEndKind kind, bool refuted, std::string reason) {
     return {refuted ? Verdict::refuted : Verdict::undecided, kind, std::move(reason), false, 0, 0};
@@ -114,23 +114,6 @@ RunningMatrix derivative_of(const CycleSystem& cycle, const BallStep<RunningDual
     return derivative;
 }
 
-RunningMatrix running_product(const RunningMatrix& a, const RunningMatrix& b) {
-    RunningMatrix result(a.size(), std::vector<Running>(a.size()));
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < a.size(); ++j)
-            for (std::size_t l = 0; l < a.size(); ++l) result[i][j] += a[i][l] * b[l][j];
-    return result;
-}
-
-intervals::CurvedMatrix running_pencil(const RunningMatrix& m) {
-    intervals::CurvedMatrix result;
-    for (const auto& row : m) {
-        result.emplace_back();
-        for (const Running& x : row) result.back().push_back(intervals::with_second_variable(x));
-    }
-    return result;
-}
-
 /// Of a fixed point the equations themselves, as in branch_standing.cpp; of others DF − λ.
 std::optional<int> multipliers_inside(const CycleSystem& cycle, const Steps& steps) {
     const std::size_t m = cycle.active.size();
@@ -146,9 +129,9 @@ std::optional<int> multipliers_inside(const CycleSystem& cycle, const Steps& ste
         }
     } else {
         a = derivative_of(cycle, steps[0]);
-        for (std::size_t i = 1; i < steps.size(); ++i) a = running_product(derivative_of(cycle, steps[i]), a);
+        for (std::size_t i = 1; i < steps.size(); ++i) a = intervals::product(derivative_of(cycle, steps[i]), a);
     }
-    return intervals::zeros_inside(running_pencil(a), running_pencil(b));
+    return zeros_inside(with_second_variable(a), with_second_variable(b));
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace swirl::proof_check {
 namespace {
 
 constexpr std::size_t time_place = 5, next_place = 6;
-using RunningMatrix = std::vector<std::vector<Running>>;
 using intervals::is_negative;
 using intervals::is_positive;
+using intervals::RunningMatrix;
 
 void demand(bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
@@ -77,23 +77,6 @@ std::optional<RunningMatrix> solved(RunningMatrix a, RunningMatrix b) {
         }
     }
     return b;
-}
-
-intervals::CurvedMatrix running_pencil(const RunningMatrix& m) {
-    intervals::CurvedMatrix result;
-    for (const auto& row : m) {
-        result.emplace_back();
-        for (const Running& x : row) result.back().push_back(intervals::with_second_variable(x));
-    }
-    return result;
-}
-
-RunningMatrix running_product(const RunningMatrix& a, const RunningMatrix& b) {
-    RunningMatrix result(a.size(), std::vector<Running>(a.size()));
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < a.size(); ++j)
-            for (std::size_t l = 0; l < a.size(); ++l) result[i][j] += a[i][l] * b[l][j];
-    return result;
 }
 
 }  // namespace
@@ -224,17 +207,17 @@ std::optional<int> BranchEquations::multipliers_inside(const std::vector<Running
             by_next.back().emplace_back(0);
         }
         // Of a fixed point (∂_z E + λ ∂_z′E, ∂_τ E), singular at each multiplier; of others −DF of the step.
-        if (steps_.size() == 1) return intervals::zeros_inside(running_pencil(by_this), running_pencil(by_next));
+        if (steps_.size() == 1) return zeros_inside(with_second_variable(by_this), with_second_variable(by_next));
         auto step = solved(by_next_and_time, by_this);
         if (!step) return std::nullopt;
         step->pop_back();
         for (auto& row : *step)
             for (Running& x : row) x = -x;
-        all = i == 0 ? *step : running_product(*step, all);
+        all = i == 0 ? *step : intervals::product(*step, all);
     }
     RunningMatrix identity(all.size(), std::vector<Running>(all.size()));
     for (std::size_t i = 0; i < all.size(); ++i) identity[i][i] = Running(-1);
-    return intervals::zeros_inside(running_pencil(all), running_pencil(identity));
+    return zeros_inside(with_second_variable(all), with_second_variable(identity));
 }
 
 }  // namespace swirl::proof_check

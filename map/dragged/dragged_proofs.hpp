@@ -64,20 +64,6 @@ inline EveryGap<T> every_gap(const Body<T>& body, const DraggedFlight<T>& flight
     return gaps;
 }
 
-template <class T>
-bool every_vertex_clear(const Body<T>& body, const DraggedFlight<T>& flight, const EveryGap<T>& before,
-                        const EveryGap<T>& after, const T& from, const T& to, const T& sixth, int halvings) {
-    std::size_t k = 0;
-    const auto sides = static_cast<std::size_t>(body.sides);
-    while (k < sides && clear_between(before[k], after[k], T(to - from), sixth)) ++k;
-    if (k == sides) return true;
-    if (halvings == 0) return false;
-    const T time = T(0.5) * (from + to);
-    const EveryGap<T> half_way = every_gap(body, flight, dragged_instant<Shape::polygon>(flight, time));
-    return every_vertex_clear(body, flight, before, half_way, from, time, sixth, halvings - 1) &&
-           every_vertex_clear(body, flight, half_way, after, time, to, sixth, halvings - 1);
-}
-
 /// The neighbour of a vertex on the side of X, at a moment.
 template <class T>
 inline Gap<T> gap_of_neighbour(const Body<T>& body, const DraggedFlight<T>& flight, const DraggedInstant<T>& moment,
@@ -118,8 +104,11 @@ template <class T>
     EveryGap<T> after = every_gap(body, flight, end);
     T& at_wall = after[static_cast<std::size_t>(nearest.vertex)].value;
     at_wall = std::min(at_wall, T(0));
-    return every_vertex_clear(body, flight, every_gap(body, flight, start), after, T(0), time,
-                              vertex_sixth(body, flight), most_halvings);
+    const auto gaps_at = [&](const T& t) {
+        return every_gap(body, flight, dragged_instant<Shape::polygon>(flight, t));
+    };
+    return every_vertex_clear(static_cast<std::size_t>(body.sides), gaps_at, every_gap(body, flight, start), after,
+                              T(0), time, vertex_sixth(body, flight), most_halvings);
 }
 
 }  // namespace swirl::detail

@@ -63,19 +63,19 @@ inline EveryGap<T> every_gap(const Body<T>& body, const Flight<T>& flight, const
 }
 
 /// Proves every vertex clear between two moments, or on either half of that interval.
-///   sixth  bounds the sixth derivative of each one's gap
-template <class T>
-bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const EveryGap<T>& before,
-                        const EveryGap<T>& after, const T& from, const T& to, const T& sixth, int halvings) {
+///   sixth    bounds the sixth derivative of each one's gap
+///   gaps_at  the gaps of all at a time
+template <class T, class GapsAt>
+bool every_vertex_clear(std::size_t sides, const GapsAt& gaps_at, const EveryGap<T>& before, const EveryGap<T>& after,
+                        const T& from, const T& to, const T& sixth, int halvings) {
     std::size_t k = 0;
-    const auto sides = static_cast<std::size_t>(body.sides);
     while (k < sides && clear_between(before[k], after[k], T(to - from), sixth)) ++k;
     if (k == sides) return true;
     if (halvings == 0) return false;
     const T time = T(0.5) * (from + to);
-    const EveryGap<T> half_way = every_gap(body, flight, instant_at<Shape::polygon>(flight, time));
-    return every_vertex_clear(body, flight, before, half_way, from, time, sixth, halvings - 1) &&
-           every_vertex_clear(body, flight, half_way, after, time, to, sixth, halvings - 1);
+    const EveryGap<T> half_way = gaps_at(time);
+    return every_vertex_clear(sides, gaps_at, before, half_way, from, time, sixth, halvings - 1) &&
+           every_vertex_clear(sides, gaps_at, half_way, after, time, to, sixth, halvings - 1);
 }
 
 /// The further proofs, tried where `clear_by_circumcircle` fails: both vertices' own derivatives, then the quintics of
@@ -100,8 +100,9 @@ template <class T>
     EveryGap<T> after = every_gap(body, flight, end);
     T& at_wall = after[static_cast<std::size_t>(nearest.vertex)].value;  // a number from 0 to N − 1
     at_wall = std::min(at_wall, T(0));
-    return every_vertex_clear(body, flight, every_gap(body, flight, start), after, T(0), end.time,
-                              derivative_bounds<6, Shape::polygon>(body, flight).vertex, most_halvings);
+    const auto gaps_at = [&](const T& t) { return every_gap(body, flight, instant_at<Shape::polygon>(flight, t)); };
+    return every_vertex_clear(static_cast<std::size_t>(body.sides), gaps_at, every_gap(body, flight, start), after,
+                              T(0), end.time, derivative_bounds<6, Shape::polygon>(body, flight).vertex, most_halvings);
 }
 
 }  // namespace detail

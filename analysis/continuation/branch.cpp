@@ -36,7 +36,7 @@ void turn(SpecialPoint& special) {
 
 namespace {
 
-/// `cycles_at`, of the steps along which there may be a wanted one.
+/// The branch's cycles at p, each corrected to rounding, of the steps along which there may be a wanted one.
 ///   may_hold  (its first point, its length)
 template <class MayHold>
 std::vector<BranchPoint> cycles_of_steps(const ShootingMap& map, const Branch& branch, double p,
@@ -60,10 +60,6 @@ std::vector<BranchPoint> cycles_of_steps(const ShootingMap& map, const Branch& b
 }
 
 }  // namespace
-
-std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p) {
-    return cycles_of_steps(map, branch, p, [](const CurvePoint&, double) { return true; });
-}
 
 std::optional<BranchPoint> find_on_branch(const ShootingMap& map, const Branch& branch, double p,
                                           const CyclePoints& points) {

@@ -62,13 +62,8 @@ BranchPoint branch_point_at(const CurvePoint& at);
 void turn(BranchPoint& point);
 void turn(SpecialPoint& special);
 
-// Where a branch passes a value of its parameter, and whether a cycle is on it.
-
-/// The branch's cycles at one value of the parameter, each corrected to rounding.
-/// Cost: one root of the parameter along each step that passes the value.
-std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p);
-
 /// The branch's cycle at p that is `points`, cyclic shifts included, to 10⁻⁶.
+/// Cost: one root of the parameter along each step that passes p and is near the points.
 std::optional<BranchPoint> find_on_branch(const ShootingMap& map, const Branch& branch, double p,
                                           const CyclePoints& points);
 

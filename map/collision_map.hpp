@@ -7,6 +7,8 @@
 #include "map/model/section.hpp"
 #include "map/numbers/quad.hpp"
 
+#include <type_traits>
+
 namespace swirl {
 
 /// One application of the map. Everything but `contact` and `steps` is meaningless unless a contact was found.
@@ -157,25 +159,36 @@ private:
     Body<T> body_;
 };
 
-/// Calls `use(map)` with the map specialised for the scene: the one place where a scene's options are branched on. The
+/// Calls `use` with the scene's rule as a std::integral_constant: the one place where its options are branched on. The
 /// disk's three laws coincide (B₃ = 0), so it has one rule with friction.
+template <Shape shape, class T, class Use>
+auto with_rule(const Scene<T>& scene, Use&& use) {
+    using enum ImpactRule;
+    if (scene.mu == T(0)) return use(std::integral_constant<ImpactRule, frictionless>());
+    if constexpr (shape == Shape::polygon) {
+        switch (scene.law) {
+            case Law::newton:
+                return use(std::integral_constant<ImpactRule, newton>());
+            case Law::stronge:
+                return use(std::integral_constant<ImpactRule, stronge>());
+            case Law::poisson:
+                break;
+        }
+    }
+    return use(std::integral_constant<ImpactRule, poisson>());
+}
+
+/// Calls `use(map)` with the map specialised for the scene.
+template <template <class, Shape, ImpactRule> class Map, class T, class Use>
+auto with_map(const Scene<T>& scene, Use&& use) {
+    if (scene.is_disk())
+        return with_rule<Shape::disk>(scene, [&](auto rule) { return use(Map<T, Shape::disk, rule()>(scene)); });
+    return with_rule<Shape::polygon>(scene, [&](auto rule) { return use(Map<T, Shape::polygon, rule()>(scene)); });
+}
+
 template <class T, class Use>
 auto with_collision_map(const Scene<T>& scene, Use&& use) {
-    const bool frictionless = scene.mu == T(0);
-    if (scene.is_disk()) {
-        if (frictionless) return use(CollisionMap<T, Shape::disk, ImpactRule::frictionless>(scene));
-        return use(CollisionMap<T, Shape::disk, ImpactRule::poisson>(scene));
-    }
-    if (frictionless) return use(CollisionMap<T, Shape::polygon, ImpactRule::frictionless>(scene));
-    switch (scene.law) {
-        case Law::newton:
-            return use(CollisionMap<T, Shape::polygon, ImpactRule::newton>(scene));
-        case Law::stronge:
-            return use(CollisionMap<T, Shape::polygon, ImpactRule::stronge>(scene));
-        case Law::poisson:
-            break;
-    }
-    return use(CollisionMap<T, Shape::polygon, ImpactRule::poisson>(scene));
+    return with_map<CollisionMap>(scene, use);
 }
 
 template <class T, Shape shape_, ImpactRule rule_>

@@ -81,24 +81,9 @@ private:
     Impacts impacts_;
 };
 
-/// As `with_collision_map`.
 template <class T, class Use>
 auto with_dragged_map(const Scene<T>& scene, Use&& use) {
-    const bool frictionless = scene.mu == T(0);
-    if (scene.is_disk()) {
-        if (frictionless) return use(DraggedMap<T, Shape::disk, ImpactRule::frictionless>(scene));
-        return use(DraggedMap<T, Shape::disk, ImpactRule::poisson>(scene));
-    }
-    if (frictionless) return use(DraggedMap<T, Shape::polygon, ImpactRule::frictionless>(scene));
-    switch (scene.law) {
-        case Law::newton:
-            return use(DraggedMap<T, Shape::polygon, ImpactRule::newton>(scene));
-        case Law::stronge:
-            return use(DraggedMap<T, Shape::polygon, ImpactRule::stronge>(scene));
-        case Law::poisson:
-            break;
-    }
-    return use(DraggedMap<T, Shape::polygon, ImpactRule::poisson>(scene));
+    return with_map<DraggedMap>(scene, use);
 }
 
 }  // namespace swirl

@@ -46,25 +46,33 @@ std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, 
     return done;
 }
 
-template <Shape shape, ImpactRule rule>
-class DynamicsInDouble final : public SceneDynamics<section_dimension<shape>> {
+/// The dynamics of CollisionMap, or of DraggedMap: over a floor that drags there are no lanes, and no sustained
+/// contact: an orbit ends where it begins (`Outcome::contact_with_drag`).
+template <class Map_>
+class DynamicsInDouble final : public SceneDynamics<section_dimension<Map_::shape>> {
 public:
-    using Base = SceneDynamics<section_dimension<shape>>;
+    using Map = Map_;
+    static constexpr bool drags = requires(const Map& map) { map.floor(); };
+    using Base = SceneDynamics<section_dimension<Map::shape>>;
     using State = typename Base::State;
     using Step = typename Base::Step;
     using Derivative = typename Base::Derivative;
-    using Map = CollisionMap<double, shape, rule>;
 
     explicit DynamicsInDouble(const Scene<double>& scene, const Body<double>* similar = nullptr)
-        : collision_map_(scene, similar), return_map_(collision_map_) {}
+        : map_(scene, similar), return_map_(map_) {}
 
     const ReturnMap<Map>& return_map() const { return return_map_; }
 
     std::shared_ptr<const Base> with(const Scene<double>& scene) const override {
         return std::make_shared<const DynamicsInDouble>(scene, &body());
     }
-    const Body<double>& body() const override { return collision_map_.body(); }
-    const ContactScene<double>& contact() const override { return return_map_.contact(); }
+    const Body<double>& body() const override { return map_.body(); }
+    const ContactScene<double>& contact() const override {
+        if constexpr (drags)
+            no_contact();
+        else
+            return return_map_.contact();
+    }
 
     Step first_impact(const LabStart<double>& start) const override {
         return return_map_.advance(flight_from(body(), start));
@@ -79,31 +87,53 @@ public:
     }
 
     bool goes_together_with(const Base& other) const override {
-        return dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;
+        return !drags && dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;
     }
-    void follow_together(std::span<LaneOrbit<section_dimension<shape>>> orbits) const override {
-        studies::follow_together<shape, rule>(orbits);
+    void follow_together(std::span<LaneOrbit<section_dimension<Map::shape>>> orbits) const override {
+        if constexpr (!drags) studies::follow_together<Map::shape, Map::rule>(orbits);
+    }
+
+    double turned(const State& z, double duration) const override {
+        if constexpr (drags)
+            return map_.turned(z.spin, duration);
+        else
+            return Base::turned(z, duration);
     }
 
     Derivative through_flight(const State& z, const Step& known) const override {
-        return derivative_by_saltation(collision_map_, z, known.collision);
+        return derivative_by_saltation(map_, z, known.collision);
     }
     Derivative through_kept_flight(const State& z, const KeptFlight& kept) const override {
-        return derivative_by_saltation(collision_map_, z, kept);
+        return derivative_by_saltation(map_, z, kept);
     }
-    analysis::Vector<section_dimension<shape>> along(const State& z, const Step& known,
-                                                     Parameter parameter) const override {
-        if (parameter == Parameter::drag) throw std::logic_error("along drag the map is that over a floor that drags");
-        if (known.contacts.empty()) return derivative_along(collision_map_, parameter, z, known.collision);
-        return derivative_along_contact(return_map_, parameter, section_point(z), known);
+    analysis::Vector<section_dimension<Map::shape>> along(const State& z, const Step& known,
+                                                          Parameter parameter) const override {
+        if constexpr (!drags) {
+            if (parameter == Parameter::drag)
+                throw std::logic_error("along drag the map is that over a floor that drags");
+            if (!known.contacts.empty())
+                return derivative_along_contact(return_map_, parameter, section_point(z), known);
+        }
+        return derivative_along(map_, parameter, z, known.collision);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        return derivative_through_contact(return_map_, z, known, &series);
+        if constexpr (drags)
+            no_contact();
+        else
+            return derivative_through_contact(return_map_, z, known, &series);
     }
 
 private:
-    Map collision_map_;
+    [[noreturn]] static void no_contact() { throw std::logic_error("contact is not followed over a floor that drags"); }
+
+    Map map_;
     ReturnMap<Map> return_map_;  ///< refers to it
 };
+
+template <class Map>
+std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_dynamics_in_double(
+    const Scene<double>& scene) {
+    return std::make_shared<const DynamicsInDouble<Map>>(scene);
+}
 
 }  // namespace swirl::studies

@@ -86,8 +86,8 @@ private:
 template <class Map>
 std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_rounded_dynamics(const Scene<double>& scene,
                                                                                           Accuracy accuracy) {
-    return std::make_shared<const RoundedDynamics<Map>>(scene, accuracy,
-                                                        make_dynamics_in_double<Map::shape, Map::rule>(scene));
+    return std::make_shared<const RoundedDynamics<Map>>(
+        scene, accuracy, make_dynamics_in_double<CollisionMap<double, Map::shape, Map::rule>>(scene));
 }
 
 }  // namespace swirl::studies

@@ -52,12 +52,10 @@ public:
     virtual Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const = 0;
 };
 
-/// Dynamics in double (dynamics_in_double.hpp), compiled in scenes_in_double.cpp.
-template <Shape shape, ImpactRule rule>
-std::shared_ptr<const SceneDynamics<section_dimension<shape>>> make_dynamics_in_double(const Scene<double>& scene);
-/// Dynamics over a floor that drags (dragged_dynamics.hpp), compiled in dragged_scenes.cpp.
-template <Shape shape, ImpactRule rule>
-std::shared_ptr<const SceneDynamics<section_dimension<shape>>> make_dragged_dynamics(const Scene<double>& scene);
+/// Dynamics in double (dynamics_in_double.hpp): CollisionMap's, compiled in scenes_in_double.cpp, and DraggedMap's,
+/// over a floor that drags, in dragged_scenes.cpp.
+template <class Map>
+std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_dynamics_in_double(const Scene<double>& scene);
 /// The dynamics by another map (rounded_dynamics.hpp): CollisionMap over long double or Quad, compiled in
 /// scenes_in_extended.cpp and scenes_in_quad.cpp, or BaselineMap, in scenes_of_baselines.cpp.
 template <class Map>
@@ -65,12 +63,12 @@ std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_rounded
                                                                                           Accuracy accuracy);
 
 // For SWIRL_EVERY_MAP in those files.
-#define SWIRL_COMPILE_DYNAMICS_IN_DOUBLE(T, SHAPE, RULE)                                                          \
-    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> make_dynamics_in_double<SHAPE, RULE>( \
-        const Scene<double>&);
-#define SWIRL_COMPILE_DRAGGED_DYNAMICS(T, SHAPE, RULE)                                                          \
-    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> make_dragged_dynamics<SHAPE, RULE>( \
-        const Scene<double>&);
+#define SWIRL_COMPILE_DYNAMICS_IN_DOUBLE(T, SHAPE, RULE)                    \
+    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
+    make_dynamics_in_double<CollisionMap<T, SHAPE, RULE>>(const Scene<double>&);
+#define SWIRL_COMPILE_DRAGGED_DYNAMICS(T, SHAPE, RULE)                      \
+    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
+    make_dynamics_in_double<DraggedMap<T, SHAPE, RULE>>(const Scene<double>&);
 #define SWIRL_COMPILE_ROUNDED_DYNAMICS(T, SHAPE, RULE)                      \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
     make_rounded_dynamics<CollisionMap<T, SHAPE, RULE>>(const Scene<double>&, Accuracy);

@@ -3,6 +3,7 @@
 #include "apps/studies/scene_map/scene_dynamics.hpp"
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/baselines/baseline_map.hpp"
+#include "map/dragged/dragged_map.hpp"
 #include "map/numbers/quad.hpp"
 
 #include <cstdint>
@@ -10,7 +11,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace swirl::studies {
@@ -27,7 +27,7 @@ Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<do
         if (accuracy != Accuracy::double_precision)
             throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
                                         " is not extended to a floor that drags; double is wanted");
-        return make_dragged_dynamics<shape, rule>(scene);
+        return make_dynamics_in_double<DraggedMap<double, shape, rule>>(scene);
     }
     switch (accuracy) {
         case Accuracy::double_precision:
@@ -41,28 +41,13 @@ Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<do
         case Accuracy::fixed_step:
             return make_rounded_dynamics<BaselineMap<shape, rule>>(scene, accuracy);
     }
-    return make_dynamics_in_double<shape, rule>(scene);
+    return make_dynamics_in_double<CollisionMap<double, shape, rule>>(scene);
 }
 
-/// The choice of `with_collision_map`, made without a map.
-Dynamics<disk_dimension> dynamics_for(const Scene<double>& scene, Accuracy accuracy,
-                                      std::integral_constant<int, disk_dimension>) {
-    return scene.mu == 0 ? dynamics_in<Shape::disk, ImpactRule::frictionless>(accuracy, scene)
-                         : dynamics_in<Shape::disk, ImpactRule::poisson>(accuracy, scene);
-}
-
-Dynamics<polygon_dimension> dynamics_for(const Scene<double>& scene, Accuracy accuracy,
-                                         std::integral_constant<int, polygon_dimension>) {
-    if (scene.mu == 0) return dynamics_in<Shape::polygon, ImpactRule::frictionless>(accuracy, scene);
-    switch (scene.law) {
-        case Law::newton:
-            return dynamics_in<Shape::polygon, ImpactRule::newton>(accuracy, scene);
-        case Law::stronge:
-            return dynamics_in<Shape::polygon, ImpactRule::stronge>(accuracy, scene);
-        case Law::poisson:
-            break;
-    }
-    return dynamics_in<Shape::polygon, ImpactRule::poisson>(accuracy, scene);
+template <int D>
+Dynamics<D> dynamics_for(const Scene<double>& scene, Accuracy accuracy) {
+    constexpr Shape shape = D == disk_dimension ? Shape::disk : Shape::polygon;
+    return with_rule<shape>(scene, [&](auto rule) { return dynamics_in<shape, rule()>(accuracy, scene); });
 }
 
 /// What a step says of a return step from which an orbit goes on.
@@ -78,7 +63,7 @@ void fill(Step& step, const ReturnStep<double>& return_step) {
 
 template <int D>
 SceneMap<D>::SceneMap(const Scene<double>& scene, double horizon, Accuracy accuracy)
-    : SceneMap(dynamics_for(scene, accuracy, std::integral_constant<int, D>()), horizon) {
+    : SceneMap(dynamics_for<D>(scene, accuracy), horizon) {
     if (scene.is_disk() != (D == disk_dimension)) throw std::logic_error("a map of the other shape's dimension");
 }
 

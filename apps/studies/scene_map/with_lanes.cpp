@@ -54,8 +54,8 @@ bool has_lanes() {
 
 template <Shape shape, ImpactRule rule>
 void follow_together(std::span<LaneOrbit<section_dimension<shape>>> orbits) {
-    using Dynamics = DynamicsInDouble<shape, rule>;
-    using Map = typename Dynamics::Map;
+    using Map = CollisionMap<double, shape, rule>;
+    using Dynamics = DynamicsInDouble<Map>;
     std::vector<BatchedOrbit<Map>> batch;
     std::vector<PostImpactState<double>> before;
     std::vector<std::size_t> sizes;

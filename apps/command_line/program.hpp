@@ -44,6 +44,12 @@ public:
                      [options, run] { return run(*options); }, KeepsProgram<Options>});
     }
 
+    template <class Options>
+    void add_command(const std::string& name, const std::string& does, const std::string& details,
+                     int (*run)(Options&)) {
+        add_command<Options, int (*)(Options&)>(name, does, details, run);
+    }
+
     /// What the command line asks for, its flags read: a command, or to print --help or --version.
     /// @throws BadInput for words that are no command line of this program, with one line that names the word
     Action called(int argc, char** argv);

@@ -28,23 +28,20 @@ Example:
 
 void AnimateOptions::add_to(Flags& command) {
     files.add_to(command, film);
-    command.add_option("--frame", frame, "container (default), laboratory or co-rotating")
-        ->type_name("NAME")
+    command.add_option("--frame", frame, "NAME", "container (default), laboratory or co-rotating")
         ->offer({"container", "laboratory", "co-rotating"});
     command
-        .add_option("--units", units,
+        .add_option("--units", units, "NAME",
                     "of axes and clock: dimensionless (default), or physical: m, s, of a scene in SI units")
-        ->type_name("NAME")
         ->offer({"dimensionless", "physical"});
-    command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
-    command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");
-    command
-        .add_option("--from", from,
-                    "time of the orbit at which the film begins, in 1/omega_s (--units physical: s; default its first)")
-        ->type_name("T");
-    command.add_option("--to", to, "time at which it ends, in the same unit (default 40/omega_s later, or its last)")
-        ->type_name("T");
-    command.add_option("--orbit", orbit, "which of the record's cycles, from 1 (default 1)")->type_name("I");
+    command.add_option("--fps", fps, "N", "pictures a second (default 20)");
+    command.add_option("--duration", duration, "SECONDS", "of the film, in seconds (default 8)");
+    command.add_option(
+        "--from", from, "T",
+        "time of the orbit at which the film begins, in 1/omega_s (--units physical: s; default its first)");
+    command.add_option("--to", to, "T",
+                       "time at which it ends, in the same unit (default 40/omega_s later, or its last)");
+    command.add_option("--orbit", orbit, "I", "which of the record's cycles, from 1 (default 1)");
 }
 
 int animate(AnimateOptions& options) {

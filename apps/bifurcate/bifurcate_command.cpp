@@ -42,25 +42,20 @@ void BifurcateOptions::add_to(Flags& command) {
     start.add_to(command);
     output.add_to(command);
     command
-        .add_option("--along", along,
+        .add_option("--along", along, "",
                     "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,...: alpha, beta, mu, restitution, inertia-factor")
-        ->type_name("")
         ->offer(parameters_to_offer());
-    command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")
-        ->type_name("")
+    command.add_option("--observable", observable, "", "S (default), psi, chi, vn or vt: values are listed beside S")
         ->offer({"S", "psi", "chi", "vn", "vt"});
-    command.add_option("--starts", starts, "random starts per column (default 4)")
-        ->type_name("R")
-        ->transform(whole_number(0, 1'000'000));
+    add_whole_number(command, "--starts", starts, "R", 0, 1'000'000, "random starts per column (default 4)");
     add_tail_flags(command, settings,
                    {"impacts before those that are kept, at most (default 2500)",
                     "impacts that are kept, at most; 64 or more (default 500)", 1'000'000'000});
     add_risk_flags(command, risk, error);
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
-    command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
-        ->type_name("K")
-        ->transform(whole_number(1, 128));
+    add_whole_number(command, "--longest-branch", longest_branch, "K", 1, 128,
+                     "longest period that --branches continues (default 12)");
 }
 
 DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRange& along) {

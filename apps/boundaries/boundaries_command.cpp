@@ -80,29 +80,23 @@ Examples:
 void BoundariesOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
-    command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
-        ->type_name("")
+    command.add_option("--plane", plane, "", "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
         ->offer(parameters_to_offer())
         ->allow_extra_args(false);
-    command.add_option("--max-period", max_period, "longest period of the cycles on lines (default 4)")
-        ->type_name("K")
-        ->transform(whole_number(1, 64));
-    command.add_option("--lines", lines, "lines through the plane each way (default 12, with --all 6)")
-        ->type_name("L")
-        ->transform(whole_number(1, 10'000));
+    add_whole_number(command, "--max-period", max_period, "K", 1, 64,
+                     "longest period of the cycles on lines (default 4)");
+    add_whole_number(command, "--lines", lines, "L", 1, 10'000,
+                     "lines through the plane each way (default 12, with --all 6)");
     command.add_flag("--all", all, "begin at all fixed points on the lines, attracting or not");
     command.add_flag("--attracting", attracting, "begin at what orbits on the lines settle on (default)");
-    command
-        .add_option("--max-time", longest,
-                    "longest flight time of --all fixed points, in 1/omega_s (SI units: s; default 12/omega_s)")
-        ->type_name("T");
-    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines")
-        ->type_name("FILE.h5");
-    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell")
-        ->type_name("FILE.h5");
-    command
-        .add_option("--longest-step", longest_step, "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)")
-        ->type_name("H");
+    command.add_option("--max-time", longest, "T",
+                       "longest flight time of --all fixed points, in 1/omega_s (SI units: s; default 12/omega_s)");
+    add_file(command, "--from", from, "FILE.h5",
+             "a record whose special points the curves begin at, in place of lines");
+    add_file(command, "--against", against, "FILE.h5",
+             "a sweep's record over the same plane, to be compared cell by cell");
+    command.add_option("--longest-step", longest_step, "H",
+                       "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)");
 }
 
 Settings settings_of(const BoundariesOptions& options, const Plane& plane) {

@@ -69,38 +69,26 @@ void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command, false);
-    add_file(command, "record", record, "a record that holds cycles, with their scene")->type_name("RECORD.h5");
-    command.add_option("--orbit", orbit, "which of the record's cycles, from 1 (default all)")
-        ->type_name("I")
-        ->transform(whole_number(1, most_impacts));
-    command.add_option("--from", from, "attractor: the cycle that the start settles on")
-        ->type_name("")
-        ->offer({"attractor"});
-    command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
-    command.add_option("--period", its_period, "of that cycle (default 1)")
-        ->type_name("K")
-        ->transform(whole_number(1, 256));
+    add_file(command, "record", record, "RECORD.h5", "a record that holds cycles, with their scene");
+    add_whole_number(command, "--orbit", orbit, "I", 1, most_impacts,
+                     "which of the record's cycles, from 1 (default all)");
+    command.add_option("--from", from, "", "attractor: the cycle that the start settles on")->offer({"attractor"});
+    command.add_option("--near", near, "", "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)");
+    add_whole_number(command, "--period", its_period, "K", 1, 256, "of that cycle (default 1)");
     command.add_flag("--all", all, "all fixed points, with proof that there are no others");
-    command
-        .add_option("--max-time", longest,
-                    "longest flight time, in 1/omega_s (SI units: s; default 12/omega_s, of --plane 6/omega_s)")
-        ->type_name("T");
-    command.add_option("--along", along, "NAME=A:B: the branches of these cycles, proven along a parameter")
-        ->type_name("")
+    command.add_option("--max-time", longest, "T",
+                       "longest flight time, in 1/omega_s (SI units: s; default 12/omega_s, of --plane 6/omega_s)");
+    command.add_option("--along", along, "", "NAME=A:B: the branches of these cycles, proven along a parameter")
         ->offer(parameters_to_offer());
     command.add_flag("--branches", branches, "the branches of the RECORD, along its parameter");
-    command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
-        ->type_name("")
+    command.add_option("--plane", plane, "", "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
         ->offer(parameters_to_offer())
         ->allow_extra_args(false);
-    command
-        .add_option("--resolution", resolution,
-                    "no cell of --plane is halved below this share of the plane's sides (default 1/256)")
-        ->type_name("R");
-    add_file(command, "--check", check, "prove a certificate again")->type_name("CERT.json");
-    add_file(command, "-o,--output", certificate,
+    command.add_option("--resolution", resolution, "R",
+                       "no cell of --plane is halved below this share of the plane's sides (default 1/256)");
+    add_file(command, "--check", check, "CERT.json", "prove a certificate again");
+    add_file(command, "-o,--output", certificate, "CERT.json",
              "write the document, a certificate, to a file; of --plane a record unless it ends in .json")
-        ->type_name("CERT.json")
         ->group("Output");
     command.add_flag("--force", output.force, "replace an existing file that is no certificate")->group("Output");
 }

@@ -67,14 +67,10 @@ void ClassifyCommandOptions::add_to(Flags& command) {
     output.add_to(command);
     add_classify_flags(command, settings);
     add_risk_flags(command, risk, error);
-    command
-        .add_option("--max-period", settings.period.max_period,
-                    "longest period looked for (default 4096, of a series 256)")
-        ->type_name("K")
-        ->transform(whole_number(1, 1'000'000));
-    command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
-        ->type_name("R")
-        ->transform(whole_number(1, 1'000'000));
+    add_whole_number(command, "--max-period", settings.period.max_period, "K", 1, 1'000'000,
+                     "longest period looked for (default 4096, of a series 256)");
+    add_whole_number(command, "--runs", runs, "R", 1, 1'000'000,
+                     "random starts, from --seed on: the shares of coexisting modes");
     command.add_flag("--verbose", verbose, "the table lists the numbers and all of the evidence")->group("Output");
     input.add_to(command);
 }

@@ -227,12 +227,12 @@ bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
 }  // namespace
 
 void ClassifyInput::add_to(Flags& command) {
-    command.add_option("RECORD,--record", record, "a record of swirl simulate: the orbit that it holds")
-        ->type_name("FILE.h5")
+    command.add_option("RECORD,--record", record, "FILE.h5", "a record of swirl simulate: the orbit that it holds")
         ->group("Input");
     series.add_to(command, false);
-    command.add_option("--noise", noise, "standard deviation of a series' noise, if known; of --angle in its unit")
-        ->type_name("SIGMA")
+    command
+        .add_option("--noise", noise, "SIGMA",
+                    "standard deviation of a series' noise, if known; of --angle in its unit")
         ->group("Input");
     transient_ = command.get_option("--transient");
     collisions_ = command.get_option("--collisions");

@@ -68,6 +68,11 @@ public:
     /// strings.
     template <class Target>
     Flag add_option(const std::string& name, Target& target, const std::string& help);
+    /// `type` stands for its value under --help.
+    template <class Target>
+    Flag add_option(const std::string& name, Target& target, const std::string& type, const std::string& help) {
+        return add_option(name, target, help).type_name(type);
+    }
     Flag add_flag(const std::string& name, bool& target, const std::string& help);
     /// Calls `take` with the text.
     Flag add_text(const std::string& name, std::function<void(const std::string&)> take, const std::string& help);

@@ -82,6 +82,13 @@ std::optional<std::int64_t> whole_number_from(std::string_view text, bool* too_l
 /// takes 010 for eight.)
 TextCheck whole_number(std::int64_t least, std::int64_t most);
 
+/// An option that takes one of these; `type` stands for its value under --help.
+template <class Target>
+Flag add_whole_number(Flags& command, const std::string& name, Target& target, const std::string& type,
+                      std::int64_t least, std::int64_t most, const std::string& help) {
+    return command.add_option(name, target, type, help).transform(whole_number(least, most));
+}
+
 /// For Flag::check: a finite number, `least` or more. (CLI11's Range lets NaN through.)
 TextCheck finite_number_from(double least);
 

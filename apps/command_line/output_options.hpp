@@ -9,7 +9,8 @@
 namespace swirl::apps {
 
 /// Adds an option that names a file. An empty name, which CLI11 takes for a flag that was not given, is refused.
-Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& help);
+Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& type,
+              const std::string& help);
 
 struct OutputOptions {
     bool json = false;

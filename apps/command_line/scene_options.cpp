@@ -165,9 +165,8 @@ void SceneOptions::add_to(Flags& command) {
             ->group("Scene");
     }
     command
-        .add_option("--scene", file_,
+        .add_option("--scene", file_, "FILE.toml",
                     "TOML file with the same names as keys under [scene], a start's under [start]; flags win")
-        ->type_name("FILE.toml")
         ->group("Scene");
 }
 

@@ -50,14 +50,12 @@ void StartOptions::add_to(Flags& command) {
             ->type_name("")
             ->group(start_group);
     command
-        .add_option("--point", point_,
+        .add_option("--point", point_, "",
                     "psi,chi,vn,vt,S just after an impact (a disk drops chi), see `swirl simulate --help`")
-        ->type_name("")
         ->group(start_group);
     command
-        .add_option("--speed", speed_,
+        .add_option("--speed", speed_, "",
                     "random start at the container's centre, in R_c omega_s (default 1/7 R_c omega_s)")
-        ->type_name("")
         ->group(start_group);
     add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group(start_group);
 }

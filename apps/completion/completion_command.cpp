@@ -22,7 +22,7 @@ Examples:
 
 void CompletionOptions::add_to(Flags& command) {
     program = &command.program();
-    command.add_option("SHELL", shell, "bash or zsh")->type_name("SHELL")->offer({"bash", "zsh"})->required();
+    command.add_option("SHELL", shell, "SHELL", "bash or zsh")->offer({"bash", "zsh"})->required();
 }
 
 int completion(CompletionOptions& options) {

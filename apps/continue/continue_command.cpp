@@ -52,28 +52,21 @@ void ContinueOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    add_file(command, "record", record, "a record that holds the cycle, with its scene")->type_name("RECORD.h5");
-    command.add_option("--orbit", orbit, "which of the record's cycles, from 1")
-        ->type_name("I")
-        ->transform(whole_number(1, most_impacts));
+    add_file(command, "record", record, "RECORD.h5", "a record that holds the cycle, with its scene");
+    add_whole_number(command, "--orbit", orbit, "I", 1, most_impacts, "which of the record's cycles, from 1");
     command
         .add_option(
-            "--from", from,
+            "--from", from, "",
             "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi), or attractor: what the start settles on")
-        ->type_name("")
         ->offer({"attractor"});
     command
-        .add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
-        ->type_name("")
+        .add_option("--along", along, "",
+                    "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
         ->offer(parameters_to_offer(true));
-    command.add_option("--period", its_period, "of the cycle near that point (default 1)")
-        ->type_name("K")
-        ->transform(whole_number(1, 256));
-    command
-        .add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
-        ->type_name("DEPTH")
-        ->transform(whole_number(0, 16));
-    command.add_option("--longest-step", longest_step, "along the branch, 1e-6 to 1 (default 0.02)")->type_name("H");
+    add_whole_number(command, "--period", its_period, "K", 1, 256, "of the cycle near that point (default 1)");
+    add_whole_number(command, "--switch", switches, "DEPTH", 0, 16,
+                     "how many flips and branch points to switch at one after another (default 1)");
+    command.add_option("--longest-step", longest_step, "H", "along the branch, 1e-6 to 1 (default 0.02)");
 }
 
 namespace {

@@ -40,10 +40,8 @@ Examples:
 void DescribeOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
-    command
-        .add_option("--max-time", longest,
-                    "longest flight time of steady modes, in 1/omega_s (SI units: s; default 12/omega_s)")
-        ->type_name("T");
+    command.add_option("--max-time", longest, "T",
+                       "longest flight time of steady modes, in 1/omega_s (SI units: s; default 12/omega_s)");
 }
 
 namespace {

@@ -116,21 +116,18 @@ void add_notes(std::vector<std::string>& notes, const std::vector<std::string>& 
 
 void FilmOptions::add_to(Flags& command) {
     series.add_to(command, true);
-    command.add_option("--angle", angle, "a column of the body's angle; --degrees, --symmetry as of classify")
-        ->type_name("NAME")
+    command.add_option("--angle", angle, "NAME", "a column of the body's angle; --degrees, --symmetry as of classify")
         ->group("Input");
     for (const ShapeFlag& flag : shape_flags)
-        command.add_option(fmt::format("--{}", flag.name), shape[flag.name], flag.help)
-            ->type_name(flag.type)
+        command.add_option(fmt::format("--{}", flag.name), shape[flag.name], flag.type, flag.help)
             ->group("Scene of a film");
     command
-        .add_option("--vertex", vertex,
+        .add_option("--vertex", vertex, "A",
                     "direction of a vertex where the film's angle is 0, in radians (default: fitted)")
-        ->type_name("A")
         ->group("Scene of a film");
     command
-        .add_option("--floor", floor, "that drags: dish, which moves with the wall, or table (default: the arcs tell)")
-        .type_name("FLOOR")
+        .add_option("--floor", floor, "FLOOR",
+                    "that drags: dish, which moves with the wall, or table (default: the arcs tell)")
         .group("Scene of a film")
         .offer({"dish", "table"});
 }

@@ -67,14 +67,11 @@ Examples:
   swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.398 --beta 0.5 --floor table)";
 
 void FitOptions::add_to(Flags& command) {
-    add_file(command, "--impacts", impacts, "a table of measured impacts (text, a header with the columns' names)")
-        ->type_name("FILE");
+    add_file(command, "--impacts", impacts, "FILE",
+             "a table of measured impacts (text, a header with the columns' names)");
     film.add_to(command);
-    command.add_option("--inertia", inertia, "I/m in the units of --impacts (default: what momentum tells)")
-        ->type_name("K");
-    command.add_option("--resamples", resamples, "of the bootstrap (default 200)")
-        ->type_name("B")
-        ->transform(whole_number(20, 100'000));
+    command.add_option("--inertia", inertia, "K", "I/m in the units of --impacts (default: what momentum tells)");
+    add_whole_number(command, "--resamples", resamples, "B", 20, 100'000, "of the bootstrap (default 200)");
     add_seed(command, seed, "of the bootstrap and of the parts that are held out (default 1)");
     output.add_to(command);
 }

@@ -26,15 +26,12 @@ void InputOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     Flags input = command.under("Input");
-    const auto counts = whole_number(0, 1'000'000'000);
-    input.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")->type_name("FILE.h5");
+    input.add_option("RECORD,--record", record, "FILE.h5", "a record that swirl simulate -o wrote");
     series.add_to(command, true);
-    input.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
-        ->type_name("K")
-        ->transform(counts);
-    input.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
-        ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000));
+    add_whole_number(input, "--transient", transient, "K", 0, 1'000'000'000,
+                     "impacts (samples) left out first (scene: 10000, else 0)");
+    add_whole_number(input, "--collisions", collisions, "K", 1, 1'000'000'000,
+                     "impacts (samples) taken then (scene: 10000, else all)");
 }
 
 InputKind InputOptions::kind() const {

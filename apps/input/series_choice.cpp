@@ -38,25 +38,18 @@ std::string in_one_word(const std::string& text) {
 
 void SeriesChoice::add_to(Flags& command, bool with_spacing, const std::string& file_flag) {
     Flags input = command.under("Input");
-    const auto text = [&](const char* name, std::string& target, const char* type, const char* help) {
-        return input.add_option(name, target, help)->type_name(type);
-    };
     const auto columns = [&](const char* name, std::vector<std::string>& target, const char* type, int count,
-                             const char* help) {
-        input.add_option(name, target, help)->type_name(type).expected(count);
-    };
-    input.add_option(file_flag, file, "a measured series, text; - reads standard input")->type_name("FILE.csv");
-    text("--column", column, "NAME", "the series' values: name or number of the column");
-    text("--time", time, "NAME", "the series' times: name or number of the column, or none");
+                             const char* help) { input.add_option(name, target, type, help).expected(count); };
+    input.add_option(file_flag, file, "FILE.csv", "a measured series, text; - reads standard input");
+    input.add_option("--column", column, "NAME", "the series' values: name or number of the column");
+    input.add_option("--time", time, "NAME", "the series' times: name or number of the column, or none");
     if (with_spacing)
-        input.add_option("--spacing", spacing, "time between samples where there is no column of times (default 1)")
-            ->type_name("DT");
-    input.add_option("--fps", fps, "frames a second: times are the column of frames, or the row's number, over F")
-        ->type_name("F");
+        input.add_option("--spacing", spacing, "DT",
+                         "time between samples where there is no column of times (default 1)");
+    input.add_option("--fps", fps, "F", "frames a second: times are the column of frames, or the row's number, over F");
     input.add_flag("--degrees", degrees, "of --angle COLUMN, whose rate over --swirl-rate is S: it is in degrees");
-    input.add_option("--symmetry", symmetry, "of an angle: it is known modulo 1/N of a turn (default 1)")
-        ->type_name("N")
-        ->transform(whole_number(1, 1'000'000));
+    add_whole_number(input, "--symmetry", symmetry, "N", 1, 1'000'000,
+                     "of an angle: it is known modulo 1/N of a turn (default 1)");
     columns("--marks", marks, "X1 Y1 X2 Y2", 4, "in place of --angle: four columns, two points of the body");
     columns("--mark", mark, "X Y", 2, "in place of --angle: two columns, a point that turns about the origin");
     columns("--position", position, "X Y", 2,
@@ -64,21 +57,21 @@ void SeriesChoice::add_to(Flags& command, bool with_spacing, const std::string& 
             "centre in the laboratory, or the container's in its own frame");
     columns("--origin", origin, "X Y", 2, "of --position and --mark, in the units of the columns (default 0 0)");
     input.add_flag("--fit-origin", fits_origin, "it is the centre of the circle fitted to the points");
-    input.add_option("--scale", scale, "what lengths, or the values of --column, are multiplied by (default 1)")
-        ->type_name("F");
+    input.add_option("--scale", scale, "F", "what lengths, or the values of --column, are multiplied by (default 1)");
     input.add_flag("--y-down", y_down, "y points down, as in images: turns are seen the other way round, -S");
-    input.add_option("--likelihood", likelihood, "a point of less than this (its tracker's column) is a gap")
-        ->type_name("P");
-    input.add_option("--where", where, "only the rows in which a column has a value: one body of several")
-        ->type_name("COLUMN=VALUE")
+    input.add_option("--likelihood", likelihood, "P", "a point of less than this (its tracker's column) is a gap");
+    input
+        .add_option("--where", where, "COLUMN=VALUE",
+                    "only the rows in which a column has a value: one body of several")
         ->allow_extra_args(false);
-    text("--each", each, "COLUMN", "each value of this column is a body: one answer for each");
-    input.add_option("--header-line", header_line, "the line of the file that has the columns' names")
-        ->type_name("N")
-        ->transform(whole_number(1, 1'000'000'000));
+    input.add_option("--each", each, "COLUMN", "each value of this column is a body: one answer for each");
+    add_whole_number(input, "--header-line", header_line, "N", 1, 1'000'000'000,
+                     "the line of the file that has the columns' names");
     input.add_flag("--decimal-comma", decimal_comma, "1,5 is one and a half");
-    text("--rows", rows, "NAME", "of a series: impacts, or samples in time (default: samples if times are even)")
-        .offer({"impacts", "samples"});
+    input
+        .add_option("--rows", rows, "NAME",
+                    "of a series: impacts, or samples in time (default: samples if times are even)")
+        ->offer({"impacts", "samples"});
 }
 
 bool SeriesChoice::given() const {

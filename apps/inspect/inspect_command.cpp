@@ -30,12 +30,11 @@ Example:
 void InspectOptions::add_to(Flags& command) {
     series.add_to(command, false, "FILE,--series");
     command.get_option("--series")->required();
-    command.add_option("--angle", angle, "a column of angles, whose rate over --swirl-rate is S")
-        ->type_name("NAME")
+    command.add_option("--angle", angle, "NAME", "a column of angles, whose rate over --swirl-rate is S")
         ->group("Input");
     command
-        .add_option("--swirl-rate", swirl_rate, "omega_s: radians per unit of time, or as 33rpm, 0.5Hz; < 0: clockwise")
-        ->type_name("W")
+        .add_option("--swirl-rate", swirl_rate, "W",
+                    "omega_s: radians per unit of time, or as 33rpm, 0.5Hz; < 0: clockwise")
         ->group("Input");
     command.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
     command.add_flag("--quiet", quiet, "no messages and no table")->group("Output");

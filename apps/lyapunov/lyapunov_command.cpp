@@ -32,12 +32,9 @@ void LyapunovCommandOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--transient", transient, "impacts before those that count (default 10000)")
-        ->type_name("K")
-        ->transform(whole_number(0, 1'000'000'000));
-    command.add_option("--collisions", collisions, "impacts that count (default 100000)")
-        ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000));
+    add_whole_number(command, "--transient", transient, "K", 0, 1'000'000'000,
+                     "impacts before those that count (default 10000)");
+    add_whole_number(command, "--collisions", collisions, "K", 1, 1'000'000'000, "impacts that count (default 100000)");
 }
 
 namespace {

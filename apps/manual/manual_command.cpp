@@ -26,9 +26,9 @@ Examples:
 
 void ManualOptions::add_to(Flags& command) {
     program = &command.program();
-    command.add_option("COMMAND", page, "whose page is printed (default: that of swirl)")->type_name("COMMAND");
-    command.add_option("--format", form, "man (default) or markdown")->type_name("NAME")->offer({"man", "markdown"});
-    command.add_option("-o,--output", folder, "write all pages into this folder")->type_name("FOLDER");
+    command.add_option("COMMAND", page, "COMMAND", "whose page is printed (default: that of swirl)");
+    command.add_option("--format", form, "NAME", "man (default) or markdown")->offer({"man", "markdown"});
+    command.add_option("-o,--output", folder, "FOLDER", "write all pages into this folder");
 }
 
 namespace {

@@ -20,12 +20,8 @@ struct TailHelp {
 /// given.
 template <class Settings>
 void add_tail_flags(Flags& command, Settings& settings, const TailHelp& help) {
-    command.add_option("--transient", settings.transient, help.transient)
-        ->type_name("K")
-        ->transform(whole_number(0, 1'000'000'000));
-    command.add_option("--collisions", settings.collisions, help.collisions)
-        ->type_name("K")
-        ->transform(whole_number(64, help.most_collisions));
+    add_whole_number(command, "--transient", settings.transient, "K", 0, 1'000'000'000, help.transient);
+    add_whole_number(command, "--collisions", settings.collisions, "K", 64, help.most_collisions, help.collisions);
     command.add_flag("--exhaustive", settings.exhaustive,
                      "follow every orbit through all of these impacts, whatever its verdict needs");
 }

@@ -44,14 +44,11 @@ Table<RiskEvidence> risk_table() {
 
 void add_risk_flags(Flags& command, double& risk, double& error) {
     command
-        .add_option("--risk", risk,
+        .add_option("--risk", risk, "P",
                     "call chaos before the limits, where less than a share P of such runs differs there (default 0)")
-        ->type_name("P")
         ->check(number_below(0, 1));
-    command
-        .add_option("--error", error,
-                    "with --risk: follow mean S of such a run until its error is E at most, or to the limits")
-        ->type_name("E");
+    command.add_option("--error", error, "E",
+                       "with --risk: follow mean S of such a run until its error is E at most, or to the limits");
 }
 
 void check_risk(double risk, double error, bool exhaustive) {

@@ -47,37 +47,25 @@ void OrbitsOptions::add_to(Flags& command) {
     constexpr std::int64_t most = 100'000'000;
     scene.add_to(command);
     output.add_to(command);
-    command.add_option("--period", period, "cycles of this period (default 1)")
-        ->type_name("K")
-        ->transform(whole_number(1, 256));
-    command.add_option("--max-period", max_period, "cycles of all periods up to this")
-        ->type_name("K")
-        ->transform(whole_number(1, 256));
-    command
-        .add_option("--max-time", longest,
-                    "longest flight time of fixed points, in 1/omega_s (SI units: s; default 12/omega_s)")
-        ->type_name("T");
+    add_whole_number(command, "--period", period, "K", 1, 256, "cycles of this period (default 1)");
+    add_whole_number(command, "--max-period", max_period, "K", 1, 256, "cycles of all periods up to this");
+    command.add_option("--max-time", longest, "T",
+                       "longest flight time of fixed points, in 1/omega_s (SI units: s; default 12/omega_s)");
     command.add_flag("--complete", complete, "search on until no cycle seems to be missing");
     command.add_flag("--stable", stable, "list attracting cycles alone: all multipliers inside the unit circle");
+    add_whole_number(command, "--most-starts", most_starts, "R", 1, most,
+                     "random section points per period after which --complete gives up (default 200000)");
+    command.add_option("--near", near, "", "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)");
     command
-        .add_option("--most-starts", most_starts,
-                    "random section points per period after which --complete gives up (default 200000)")
-        ->type_name("R")
-        ->transform(whole_number(1, most));
-    command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
-    command
-        .add_option("--pin", pin, "S=VALUE or tau=VALUE (SI units: s): members of families with this S or return time")
-        ->type_name("")
+        .add_option("--pin", pin, "",
+                    "S=VALUE or tau=VALUE (SI units: s): members of families with this S or return time")
         ->offer({"S=", "tau="});
-    command.add_option("--starts", candidates.starts, "random section points per period (default 1500)")
-        ->type_name("R")
-        ->transform(whole_number(0, most));
-    command.add_option("--trajectories", candidates.trajectories, "orbits searched for close returns (default 16)")
-        ->type_name("R")
-        ->transform(whole_number(0, most));
-    command.add_option("--collisions", candidates.collisions, "impacts of each of them (default 2000)")
-        ->type_name("K")
-        ->transform(whole_number(1, most));
+    add_whole_number(command, "--starts", candidates.starts, "R", 0, most,
+                     "random section points per period (default 1500)");
+    add_whole_number(command, "--trajectories", candidates.trajectories, "R", 0, most,
+                     "orbits searched for close returns (default 16)");
+    add_whole_number(command, "--collisions", candidates.collisions, "K", 1, most,
+                     "impacts of each of them (default 2000)");
     add_seed(command, candidates.seed, "of the random starts (default 1)");
 }
 

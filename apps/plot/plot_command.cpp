@@ -60,39 +60,31 @@ Example:
 
 void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
-    command.add_option("--kind", kind, "which figure, where there are several")
-        ->type_name("NAME")
+    command.add_option("--kind", kind, "NAME", "which figure, where there are several")
         ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
                  "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
                  "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour",        "energy",
                  "means",  "map",        "fit",      "arcs",     "cells"});
-    command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
-        ->type_name("WIDTH")
+    command.add_option("--width", width, "WIDTH", "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
-    command.add_option("--font-size", font_size, "of the letters, in points (default 9, in a column 8)")
-        ->type_name("POINTS");
+    command.add_option("--font-size", font_size, "POINTS", "of the letters, in points (default 9, in a column 8)");
     command.add_flag("--no-title", no_title, "no title above: a paper's caption says it");
-    command.add_option("--caption", caption, "what the figure shows in words, with every special point: .txt, .md")
-        ->type_name("FILE");
-    command.add_option("--xlim", xlim, "range of the abscissa")->type_name("A:B");
-    command.add_option("--ylim", ylim, "range of the ordinate")->type_name("A:B");
-    command.add_option("--log", log, "logarithmic axes: x, y or xy")->type_name("AXES")->offer({"x", "y", "xy"});
-    command.add_option("--of", of, "of kinds means and map: S (default), exponent, period or RC")
-        ->type_name("NAME")
+    command.add_option("--caption", caption, "FILE",
+                       "what the figure shows in words, with every special point: .txt, .md");
+    command.add_option("--xlim", xlim, "A:B", "range of the abscissa");
+    command.add_option("--ylim", ylim, "A:B", "range of the ordinate");
+    command.add_option("--log", log, "AXES", "logarithmic axes: x, y or xy")->offer({"x", "y", "xy"});
+    command.add_option("--of", of, "NAME", "of kinds means and map: S (default), exponent, period or RC")
         ->offer({"S", "exponent", "period", "RC"});
+    command.add_option("--over", over, "NAME",
+                       "of kind means: the parameter along the abscissa (default: that of most values)");
     command
-        .add_option("--over", over, "of kind means: the parameter along the abscissa (default: that of most values)")
-        ->type_name("NAME");
-    command
-        .add_option("--units", units,
+        .add_option("--units", units, "NAME",
                     "of the axes: dimensionless (default), or physical: m, s, kg, of a scene in SI units")
-        ->type_name("NAME")
         ->offer({"dimensionless", "physical"});
-    command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")
-        ->type_name("NAME")
+    command.add_option("--x", x, "NAME", "of kind section: psi (default), chi, vn, vt or S")
         ->offer({"psi", "chi", "vn", "vt", "S"});
-    command.add_option("--y", y, "of kind section: S (default), or another of these")
-        ->type_name("NAME")
+    command.add_option("--y", y, "NAME", "of kind section: S (default), or another of these")
         ->offer({"psi", "chi", "vn", "vt", "S"});
 }
 

@@ -15,14 +15,12 @@ namespace swirl::apps::recurrence {
 
 void ConventionOptions::add_to(Flags& command) {
     using namespace recurrence_names;
+    Flags conventions = command.under("Conventions");
     const auto text = [&](const char* flag, std::string& target, const std::string& help) {
-        return command.add_option(flag, target, help)->type_name("NAME").group("Conventions");
+        return conventions.add_option(flag, target, "NAME", help);
     };
     const auto number = [&](const char* flag, std::optional<int>& target, int least, const char* help) {
-        command.add_option(flag, target, help)
-            ->type_name("K")
-            ->transform(whole_number(least, 1'000'000'000))
-            ->group("Conventions");
+        add_whole_number(conventions, flag, target, "K", least, 1'000'000'000, help);
     };
     text("--convention", convention,
          fmt::format("as a package does: {}", fmt::join(analysis::recurrence::preset_names(), ", ")))
@@ -31,7 +29,7 @@ void ConventionOptions::add_to(Flags& command) {
     number("--theiler", theiler, 0, "leave out pairs less than W apart (default 1: the main diagonal; cross: 0)");
     number("--min-diagonal", min_diagonal, 1, "shortest diagonal line (default 2)");
     number("--min-vertical", min_vertical, 1, "shortest vertical line (default 2)");
-    command.add_flag("--strict", strict, "recurrent when distance < threshold, instead of <=")->group("Conventions");
+    conventions.add_flag("--strict", strict, "recurrent when distance < threshold, instead of <=");
     text("--rate-pairs", rate_pairs, "what RR is divided by: outside-window (default) or all pairs")
         ->offer(words_of(pairs));
     text("--recurrence-time", recurrence_time, "midpoints (default), white-lines or line-starts")

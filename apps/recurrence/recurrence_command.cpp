@@ -158,42 +158,29 @@ void RecurrenceOptions::add_to(Flags& command) {
     output.add_to(command);
     Flags recurrence = command.under("Recurrence");
     const auto list = [&](const char* flag, std::vector<std::string>& target, const char* type, const char* help) {
-        recurrence.add_option(flag, target, help)->type_name(type)->allow_extra_args(false);
+        recurrence.add_option(flag, target, type, help)->allow_extra_args(false);
     };
     list("--threshold", thresholds, "D", "delta; several, separated by commas: one pass");
     list("--threshold-std", thresholds_std, "F", "delta in standard deviations of the observable (default 0.1)");
     list("--recurrence-rate", rates, "R", "the smallest delta that gives this recurrence rate");
     recurrence
-        .add_option("--observable", observables,
+        .add_option("--observable", observables, "NAME",
                     "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
-        ->type_name("NAME")
         ->offer({"S", "psi", "chi", "vn", "vt", "x", "y"});
-    const auto whole = whole_number(1, 1'000'000);
-    recurrence.add_option("--dimension", dimension, "of the delay embedding (default 1)")
-        ->type_name("M")
-        ->transform(whole);
-    recurrence.add_option("--delay", delay, "of the embedding, in points (default 1)")
-        ->type_name("L")
-        ->transform(whole_number(1, 1'000'000'000));
-    recurrence.add_option("--period", period, "the measured series is an angle of this period (360, say)")
-        ->type_name("P");
-    recurrence.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
-        ->type_name("DT");
+    add_whole_number(recurrence, "--dimension", dimension, "M", 1, 1'000'000, "of the delay embedding (default 1)");
+    add_whole_number(recurrence, "--delay", delay, "L", 1, 1'000'000'000, "of the embedding, in points (default 1)");
+    recurrence.add_option("--period", period, "P", "the measured series is an angle of this period (360, say)");
+    recurrence.add_option("--resample", resample, "DT", "make a measured series even: linear, this spacing; gaps stay");
     recurrence.add_flag("--join-gaps", join_gaps,
                         "lines of a measured series go on across its gaps, as if there were none");
-    recurrence.add_option("--cross", cross, "cross recurrence with another series, or another record")
-        ->type_name("FILE");
-    recurrence.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
-        ->type_name("NAME");
-    recurrence
-        .add_option("--sample-pairs", sampled_pairs,
-                    "estimate RR, DET, L, LAM, TT and RC from K random pairs of points, with errors")
-        ->type_name("K")
-        ->transform(whole_number(fewest_pairs, 1'000'000'000'000));
+    recurrence.add_option("--cross", cross, "FILE", "cross recurrence with another series, or another record");
+    recurrence.add_option("--cross-column", cross_column, "NAME",
+                          "the second series' column (of --cross, or of --series)");
+    add_whole_number(recurrence, "--sample-pairs", sampled_pairs, "K", fewest_pairs, 1'000'000'000'000,
+                     "estimate RR, DET, L, LAM, TT and RC from K random pairs of points, with errors");
     add_seed(recurrence, sample_seed, "of these pairs (default 1)", nullptr, "--sample-seed")->type_name("SEED");
-    recurrence.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
-        ->type_name("PIXELS")
-        ->transform(whole_number(1, 20'000));
+    add_whole_number(recurrence, "--image", image, "PIXELS", 1, 20'000,
+                     "the recurrence plot, down-sampled, into the record or the document");
 }
 
 int quantify_recurrence(RecurrenceOptions& options) {

@@ -18,8 +18,9 @@
 namespace swirl::apps::scripts {
 
 void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, bool several) {
-    command.add_option("record", records, several ? "records of other commands" : "a record of another command")
-        ->type_name("RECORD.h5")
+    command
+        .add_option("record", records, "RECORD.h5",
+                    several ? "records of other commands" : "a record of another command")
         ->expected(several ? -1 : 1)
         ->required();
     command

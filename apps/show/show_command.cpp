@@ -37,12 +37,11 @@ Examples:
   swirl show fixed.h5 --group orbits --csv fixed.csv)";
 
 void ShowOptions::add_to(Flags& command) {
-    add_file(command, "record", record, "a record of another command")->type_name("RECORD.h5")->required();
-    add_file(command, "--csv", csv, "write a table to this file")->type_name("FILE")->group("Output");
-    command.add_option("--group", group, "the table, or the group, that is shown")->type_name("NAME");
-    command.add_option("--rows", rows, "rows of each table that are printed (default 20)")
-        ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000));
+    add_file(command, "record", record, "RECORD.h5", "a record of another command")->required();
+    add_file(command, "--csv", csv, "FILE", "write a table to this file")->group("Output");
+    command.add_option("--group", group, "NAME", "the table, or the group, that is shown");
+    add_whole_number(command, "--rows", rows, "K", 1, 1'000'000'000,
+                     "rows of each table that are printed (default 20)");
     command.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
     command.add_flag("--force", force, "replace an existing file")->group("Output");
     command.add_flag("--quiet", quiet, "no messages and no table")->group("Output");

@@ -64,7 +64,7 @@ OutputFile opened(const std::string& name) {
 
 void FilmOptions::add_to(Flags& command) {
     const auto number = [&](const char* flag, auto& target, const char* type, const char* help) {
-        command.add_option(flag, target, help)->type_name(type)->group("Film");
+        command.add_option(flag, target, type, help)->group("Film");
     };
     number("--camera", fps, "FPS",
            "write -o FILE.csv in place of a record: what a tracker would, at FPS frames per 1/omega_s (SI units: s)");

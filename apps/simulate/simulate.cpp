@@ -115,20 +115,12 @@ void SimulateOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--collisions", collisions, "follow K impacts (default 100)")
-        ->type_name("K")
-        ->transform(whole_number(1, most_impacts));
-    command.add_option("--time", time, "follow until time T, in 1/omega_s (SI units: s)")->type_name("T");
-    command.add_option("--skip", skip, "leave out the first K impacts")
-        ->type_name("K")
-        ->transform(whole_number(0, most_impacts));
-    command.add_option("--every", every, "list every K-th impact (default 1)")
-        ->type_name("K")
-        ->transform(whole_number(1, most_impacts));
-    command
-        .add_option("--sample", sample,
-                    "list the body at all multiples of DT (as T), in flight and in contact: `samples`")
-        ->type_name("DT");
+    add_whole_number(command, "--collisions", collisions, "K", 1, most_impacts, "follow K impacts (default 100)");
+    command.add_option("--time", time, "T", "follow until time T, in 1/omega_s (SI units: s)");
+    add_whole_number(command, "--skip", skip, "K", 0, most_impacts, "leave out the first K impacts");
+    add_whole_number(command, "--every", every, "K", 1, most_impacts, "list every K-th impact (default 1)");
+    command.add_option("--sample", sample, "DT",
+                       "list the body at all multiples of DT (as T), in flight and in contact: `samples`");
     film.add_to(command);
 }
 

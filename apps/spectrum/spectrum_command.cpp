@@ -183,28 +183,25 @@ void SpectrumOptions::add_to(Flags& command) {
     input.add_to(command);
     output.add_to(command);
     Flags spectrum = command.under("Spectrum");
-    const auto text = [&](const char* flag, std::string& target, const char* type, const char* help) {
-        return spectrum.add_option(flag, target, help)->type_name(type);
-    };
-    text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)")
+    spectrum
+        .add_option("--observable", observable, "NAME",
+                    "of an orbit: S (default), x, y, or position (x + iy, two-sided)")
         ->offer({"S", "x", "y", "position"});
-    text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating")
+    spectrum.add_option("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating")
         ->offer({"laboratory", "container", "corotating"});
-    spectrum.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
-        ->type_name("B")
-        ->transform(whole_number(fewest_samples, most_bins));
-    text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top")
+    add_whole_number(spectrum, "--bins", bins, "B", fewest_samples, most_bins,
+                     "equal time bins of an orbit (default 4 or more an impact, a power of 2)");
+    spectrum
+        .add_option("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top")
         ->offer({"rectangular", "hann", "hamming", "blackman-harris", "flat-top"});
-    text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear")
+    spectrum.add_option("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear")
         ->offer({"none", "mean", "linear"});
-    spectrum.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
-        ->type_name("K")
-        ->transform(whole_number(1, 1'000'000));
-    spectrum.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
-        ->type_name("F");
+    add_whole_number(spectrum, "--segments", segments, "K", 1, 1'000'000,
+                     "of Welch's method (default about 16; 1: the finest resolution)");
+    spectrum.add_option("--overlap", overlap, "F", "of neighbouring segments, 0 <= overlap < 1 (default 0.5)");
     spectrum.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power");
-    text("--resample", resample, "DT",
-         "put a measured series on even times, this far apart: straight lines, then a low-pass");
+    spectrum.add_option("--resample", resample, "DT",
+                        "put a measured series on even times, this far apart: straight lines, then a low-pass");
 }
 
 int find_spectrum(SpectrumOptions& options) {

@@ -25,7 +25,7 @@ Example:
 
 void JoinOptions::add_to(Flags& command) {
     output.add_to(command);
-    command.add_option("shards", shards, "records that sweep --shard wrote")->type_name("SHARD.h5");
+    command.add_option("shards", shards, "SHARD.h5", "records that sweep --shard wrote");
 }
 
 namespace {

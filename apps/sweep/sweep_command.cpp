@@ -71,27 +71,20 @@ void SweepOptions::add_to(Flags& command) {
     output.add_to(command);
     command
         .add_option(
-            "--grid", grid,
+            "--grid", grid, "",
             "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,..., once to five times; with --sample without COUNT")
-        ->type_name("")
         ->offer(axes_to_offer())
         ->allow_extra_args(false);
-    command.add_option("--refine", refine, "halve the grid's steps so often, where neighbours differ")
-        ->type_name("LEVELS")
-        ->transform(whole_number(1, most_levels));
-    command.add_option("--sample", sample, "sobol:COUNT or latin:COUNT points in place of a grid")
-        ->type_name("")
+    add_whole_number(command, "--refine", refine, "LEVELS", 1, most_levels,
+                     "halve the grid's steps so often, where neighbours differ");
+    command.add_option("--sample", sample, "", "sobol:COUNT or latin:COUNT points in place of a grid")
         ->offer({"sobol:", "latin:"});
-    add_file(command, "--scenes", scenes, "a scene in each row in place of a grid, columns named as flags")
-        ->type_name("FILE.csv");
+    add_file(command, "--scenes", scenes, "FILE.csv", "a scene in each row in place of a grid, columns named as flags");
     command.add_flag("--track", track, "follow each attractor from cell to cell of a grid of random starts");
-    command.add_option("--saddles", saddles, "follow so many points on the boundaries of basins to their saddles")
-        ->type_name("COUNT")
-        ->transform(whole_number(1, 10'000));
-    command.add_option("--shard", shard, "i/n: the i-th of n shards of the cells, for swirl join")->type_name("");
-    command.add_option("--runs", runs, "random starts in each cell (default 1)")
-        ->type_name("R")
-        ->transform(whole_number(1, 1'000'000));
+    add_whole_number(command, "--saddles", saddles, "COUNT", 1, 10'000,
+                     "follow so many points on the boundaries of basins to their saddles");
+    command.add_option("--shard", shard, "", "i/n: the i-th of n shards of the cells, for swirl join");
+    add_whole_number(command, "--runs", runs, "R", 1, 1'000'000, "random starts in each cell (default 1)");
     add_classify_flags(command, settings);
     add_risk_flags(command, risk, error);
 }

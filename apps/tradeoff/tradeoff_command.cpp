@@ -47,7 +47,7 @@ void TradeoffOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--budget", budget, "seconds that all of it may take (default 10)")->type_name("SECONDS");
+    command.add_option("--budget", budget, "SECONDS", "seconds that all of it may take (default 10)");
 }
 
 namespace {

@@ -6,12 +6,12 @@ With O = beta exp(i t) V has a part K exp(i t) that stays, i K = -gamma K + i ga
 impact is that of dynamics.py, which knows no floor; so is the search for the first contact, with a bound of its own.
 """
 
-import heapq
 from collections import namedtuple
+from functools import partial
 
 from mpmath import mp, mpc, mpf
 
-from dynamics import CLOSE, LONGEST_FLIGHT, Impact, State, impact_at, scene_of, swirl
+from dynamics import Impact, State, earliest_root, impact_at, scene_of, swirl, touching_time
 
 Floor = namedtuple("Floor", "drag spin_drag kind")
 
@@ -60,45 +60,10 @@ def curvature_bound(scene, floor, state):
     return 2 * (first ** 2 + second)
 
 
-def first_contact(scene, floor, state, struck=None):
-    """As dynamics.first_contact."""
-    m = curvature_bound(scene, floor, state)
-    waiting = [(mpf(0), i) for i in range(scene.sides or 1)]
-    steps = 0
-    while waiting[0][0] < LONGEST_FLIGHT and steps < 20_000:
-        steps += 1
-        tau, i = waiting[0]
-        g, dg = gap(scene, floor, state, i, tau)
-        if tau == 0 and i == struck:
-            if dg >= 0:
-                raise ArithmeticError("the vertex that has just struck does not leave: sustained contact")
-            step = -2 * dg / m
-        elif tau == 0 and g > 0:
-            raise ValueError(f"vertex {i} starts outside the container")
-        else:
-            root = mp.sqrt(dg * dg - 2 * m * min(g, mpf(0)))
-            step = -2 * min(g, mpf(0)) / (dg + root) if dg > 0 else (root - dg) / m
-            if step < CLOSE:
-                return touching_time(scene, floor, state, i, tau), i
-        heapq.heapreplace(waiting, (tau + step, i))
-    raise ArithmeticError("no contact is found: the body may ride with the floor")
-
-
-def touching_time(scene, floor, state, vertex, tau):
-    for _ in range(60):
-        g, dg = gap(scene, floor, state, vertex, tau)
-        if dg <= 0:
-            break
-        step = g / dg
-        tau -= step
-        if abs(step) < CLOSE:
-            return tau
-    raise ArithmeticError("Newton's method for the time of impact does not converge: grazing")
-
-
 def next_impact(scene, floor, state, struck=None):
-    tau, vertex = first_contact(scene, floor, state, struck)
-    return impact_at_end(scene, floor, state, tau, vertex)
+    found = earliest_root(scene.sides or 1, partial(gap, scene, floor, state), curvature_bound(scene, floor, state),
+                          struck, most_steps=20_000)  # a body that rides with the floor has no contact
+    return impact_at_end(scene, floor, state, *found)
 
 
 def impact_at_end(scene, floor, state, tau, vertex):
@@ -108,7 +73,7 @@ def impact_at_end(scene, floor, state, tau, vertex):
 
 
 def same_impact(scene, floor, state, known):
-    tau = touching_time(scene, floor, state, known.vertex, known.flight_time)
+    tau = touching_time(partial(gap, scene, floor, state), known.vertex, known.flight_time)
     return impact_at_end(scene, floor, state, tau, known.vertex)
 
 

@@ -8,6 +8,7 @@ u = V + i spin r - O'(t), with r from the body's centre to the contact.
 
 import heapq
 from collections import namedtuple
+from functools import partial
 
 from mpmath import mp, mpc, mpf
 
@@ -57,18 +58,19 @@ def curvature_bound(scene, state):
     return 2 * ((speed + spin * alpha + beta) ** 2 + spin ** 2 * alpha + beta)
 
 
-def first_contact(scene, state, struck=None):
+def earliest_root(vertices, gap_at, m, struck=None, most_steps=mp.inf):
     """(flight time, vertex) of the first contact, by conservative advancement of all vertices together.
 
     While a vertex is inside, g(tau + s) <= g + g' s + M s^2 / 2, so it may advance to the first positive root of that
     parabola without passing a contact. The vertex with the earliest bound advances; the first to converge is the first
-    to touch. The vertex that has just struck starts at g = 0 exactly.
+    to touch. The vertex that has just struck starts at g = 0 exactly. `gap_at(vertex, tau)` gives g and g'.
     """
-    m = curvature_bound(scene, state)
-    waiting = [(mpf(0), i) for i in range(scene.sides or 1)]
-    while waiting[0][0] < LONGEST_FLIGHT:
+    waiting = [(mpf(0), i) for i in range(vertices)]
+    steps = 0
+    while waiting[0][0] < LONGEST_FLIGHT and steps < most_steps:
+        steps += 1
         tau, i = waiting[0]
-        g, dg = gap(scene, state, i, tau)
+        g, dg = gap_at(i, tau)
         if tau == 0 and i == struck:
             if dg >= 0:
                 raise ArithmeticError("the vertex that has just struck does not leave: sustained contact")
@@ -79,15 +81,15 @@ def first_contact(scene, state, struck=None):
             root = mp.sqrt(dg * dg - 2 * m * min(g, mpf(0)))
             step = -2 * min(g, mpf(0)) / (dg + root) if dg > 0 else (root - dg) / m
             if step < CLOSE:
-                return touching_time(scene, state, i, tau), i
+                return touching_time(gap_at, i, tau), i
         heapq.heapreplace(waiting, (tau + step, i))
-    raise ArithmeticError(f"no contact within {LONGEST_FLIGHT}")
+    raise ArithmeticError(f"no contact within {LONGEST_FLIGHT}" if steps < most_steps else f"no contact in {steps} steps")
 
 
-def touching_time(scene, state, vertex, tau):
+def touching_time(gap_at, vertex, tau):
     """The root of the gap near tau, by Newton's method; the vertex moves outward there."""
     for _ in range(60):
-        g, dg = gap(scene, state, vertex, tau)
+        g, dg = gap_at(vertex, tau)
         if dg <= 0:
             break
         step = g / dg
@@ -192,9 +194,11 @@ def impact_at(scene, state, tau, vertex):
 
 
 def next_impact(scene, state, struck=None):
-    return impact_at(scene, state, *first_contact(scene, state, struck))
+    found = earliest_root(scene.sides or 1, partial(gap, scene, state), curvature_bound(scene, state), struck)
+    return impact_at(scene, state, *found)
 
 
 def same_impact(scene, state, known):
     """The impact of a neighbouring orbit: the same vertex, at the neighbouring time."""
-    return impact_at(scene, state, touching_time(scene, state, known.vertex, known.flight_time), known.vertex)
+    tau = touching_time(partial(gap, scene, state), known.vertex, known.flight_time)
+    return impact_at(scene, state, tau, known.vertex)

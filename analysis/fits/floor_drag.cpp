@@ -2,6 +2,8 @@
 
 #include "analysis/fits/robust.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +14,11 @@ namespace swirl::analysis {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// Of places of some 1, their rounding's.
+constexpr double least_square = 1e-32;
+/// Beyond, in 1/time, no film has arcs: all would be still after a frame.
+constexpr double largest_drag = 100;
 
 Complex amplitude(const FloorMotion& floor, double drag) {
     return drag * floor.radius / Complex(drag, floor.rate);
@@ -107,6 +114,104 @@ double scale_of(const std::vector<Bend>& bends, double noise) {
     return std::max(1.0, std::sqrt(quantile(std::move(squares), 0.5) / median_square_of_one));
 }
 
+/// Drags, and a floor that carries along with them, of pieces of arcs.
+struct FreeFloor {
+    Drags drags;
+    FloorMotion floor;
+};
+
+/// Pieces without the frames at their ends, next to which may be an impact.
+std::vector<ArcPart> pieces_of(const FilmArcs& film) {
+    std::vector<ArcPart> pieces;
+    for (const FreeArc& arc : film.arcs)
+        if (arc.count >= fewest_bent + 2) pieces.push_back({arc.first + 1, arc.last - 1});
+    return pieces;
+}
+
+/// Of a piece, by γ and the parts of K, whose own line is taken off: normal equations, and what is left.
+struct PieceEquations {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    double squares_a_freedom = 0;
+};
+
+PieceEquations equations_of(std::span<const FilmFrame> frames, double rate, double drag, Complex carried) {
+    constexpr double step = 1e-4;  // of γ, for the slope of s: its error is of the order of the square
+    const std::size_t count = frames.size();
+    double middle = 0, mean = 0;
+    for (const FilmFrame& frame : frames) middle += frame.time / static_cast<double>(count);
+    std::vector<double> s;
+    std::vector<Complex> left, turns, by_drag;
+    for (const FilmFrame& frame : frames) {
+        s.push_back(dragged_time(frame.time - middle, drag)), mean += s.back() / static_cast<double>(count);
+        turns.push_back(std::polar(1.0, rate * frame.time));
+        left.push_back(Complex(frame.place[0], frame.place[1]) - carried * turns.back());
+    }
+    Complex velocity = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        s[i] -= mean;
+        velocity += s[i] * left[i], squares += s[i] * s[i];
+    }
+    velocity /= squares;
+    for (const FilmFrame& frame : frames) {
+        const double t = frame.time - middle;
+        by_drag.push_back(velocity * (dragged_time(t, drag + step) - dragged_time(t, drag - step)) / (2 * step));
+    }
+    for (std::vector<Complex>* values : {&left, &turns, &by_drag}) subtract_line(*values, s);
+    PieceEquations piece;
+    for (std::size_t i = 0; i < count; ++i) {
+        Eigen::Matrix<double, 2, 3> slopes;
+        slopes << by_drag[i].real(), turns[i].real(), -turns[i].imag(), by_drag[i].imag(), turns[i].imag(),
+            turns[i].real();
+        const Eigen::Vector2d residual(left[i].real(), left[i].imag());
+        piece.matrix += slopes.transpose() * slopes;
+        piece.right += slopes.transpose() * residual;
+        piece.squares_a_freedom += residual.squaredNorm() / (2 * static_cast<double>(count) - 4);
+    }
+    return piece;
+}
+
+/// γ and K by all pieces, and γ_r, where these tell them.
+std::optional<FreeFloor> free_floor(const FilmArcs& film, double rate) {
+    constexpr int most_rounds = 30;
+    constexpr double settled = 1e-10;
+    const std::vector<ArcPart> pieces = pieces_of(film);
+    if (pieces.size() < fewest_parts) return std::nullopt;
+    double drag = 0;
+    Complex carried = 0;
+    for (int round = 0; round < most_rounds; ++round) {
+        std::vector<PieceEquations> equations;
+        std::vector<double> squares;
+        for (const ArcPart& piece : pieces) {
+            equations.push_back(equations_of(frames_of(film.kept, piece), rate, drag, carried));
+            squares.push_back(equations.back().squares_a_freedom);
+        }
+        const double usual = std::max(quantile(std::move(squares), 0.5), least_square);
+        Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (const PieceEquations& piece : equations) {
+            const double weight = biweight(piece.squares_a_freedom / usual, biweight_of_one);
+            matrix += weight * piece.matrix, right += weight * piece.right;
+        }
+        if (rate == 0) matrix.bottomRows<2>().setZero(), matrix.rightCols<2>().setZero(), right.tail<2>().setZero();
+        constexpr double unasked = 1e-12;  // of a direction that the pieces do not tell
+        matrix.diagonal().array() += unasked * matrix.diagonal().maxCoeff();
+        const Eigen::Vector3d change = matrix.ldlt().solve(right);
+        drag += change[0], carried += Complex(change[1], change[2]);
+        if (!(std::abs(drag) < largest_drag)) return std::nullopt;
+        if (change.norm() < settled) break;
+    }
+    FreeFloor found;
+    found.drags.places = drag;
+    const double spin = fit_spin_drag(film.kept, pieces, film.angle_noise).value;
+    found.drags.angle = std::isnan(spin) ? drag : spin;
+    const Complex part = drag / Complex(drag, rate);  // of the floor's radius
+    if (rate != 0 && drag != 0)
+        found.floor = {std::abs(carried) / std::abs(part), rate, std::arg(carried) - std::arg(part)};
+    return found;
+}
+
 }  // namespace
 
 std::vector<ArcPart> parts_between(const FilmArcs& film, std::span<const Kink> kinks) {
@@ -169,11 +274,13 @@ Drags DraggedArcs::values() const {
     return {drag.value, std::isnan(spin.value) ? drag.value : spin.value};
 }
 
-DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& start,
                          const FloorMotion& floor, const PartsOf& parts_of) {
     constexpr int rounds = 8;
     constexpr double settled = 0.3;  // of the error: less moves no interval by much
-    DraggedArcs found{{}, {}, straight};
+    const FilmArcs first =
+        start.drags.any() ? fit_arcs(frames, period, {start.drags, floor, start.least_noise}) : start;
+    DraggedArcs found{{}, {}, first};
     FilmArcs& film = found.arcs;
     const auto fit = [&] {
         const std::vector<ArcPart> parts = parts_of(film);
@@ -191,11 +298,37 @@ DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const
     }
     for (int round = 0; round < rounds && std::isfinite(found.drag.value); ++round) {
         if (!moved(found.drag, film.drags.places) && !moved(found.spin, film.drags.angle)) break;
-        film = fit_arcs(frames, period, {found.values(), floor, straight.least_noise});
+        film = fit_arcs(frames, period, {found.values(), floor, start.least_noise});
         fit();
     }
-    film = std::isfinite(found.drag.value) ? with_drags(film, found.values()) : straight;
+    film = std::isfinite(found.drag.value) ? with_drags(film, found.values()) : first;
     return found;
+}
+
+std::optional<FilmArcs> bent_arcs(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+                                  double rate) {
+    constexpr int most_rounds = 20;
+    const auto cost_of = [&](const FilmArcs& film) {
+        return cost_of_division(film, straight.place_noise, straight.angle_noise);
+    };
+    for (const double factor : {1.0, 3.0, 10.0, 30.0, 100.0}) {
+        const Eigen::Vector3d noise =
+            factor * Eigen::Vector3d(straight.place_noise, straight.place_noise, straight.angle_noise);
+        FilmArcs film = factor == 1 ? straight : fit_arcs(frames, period, {{}, {}, noise});
+        std::optional<FilmArcs> best;
+        double least = cost_of(straight) - cost_of_arc, before = infinity;
+        for (int round = 0; round < most_rounds; ++round) {
+            const std::optional<FreeFloor> found = free_floor(film, rate);
+            if (!found) break;
+            film = fit_arcs(frames, period, {found->drags, found->floor, straight.least_noise});
+            const double cost = cost_of(film);
+            if (cost < least) best = film, least = cost;
+            if (!(cost < before - cost_of_arc)) break;
+            before = cost;
+        }
+        if (best) return best;
+    }
+    return std::nullopt;
 }
 
 double floor_worse_by(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, const FloorMotion& floor,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,9 +61,19 @@ struct DraggedArcs {
 /// γ and γ_r of a film. Arcs under a drag are no straight lines, and straight ones cut them where noise allows it best,
 /// so that what is left bends too little: frames are divided anew with the drags that were found (fit_arcs) until these
 /// stay.
-///   straight  arcs of those frames without a drag
-DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+///   start  arcs of those frames, straight or bent_arcs()
+DraggedArcs settled_drag(std::span<const FilmFrame> frames, double period, const FilmArcs& start,
                          const FloorMotion& floor, const PartsOf& parts_of);
+
+/// Arcs of a film of which neither impacts nor the floor's place are known yet. Where arcs bend by more than noise
+/// within a few frames, straight ones cut them into pieces, whose ends are no impacts. γ and a floor of any radius and
+/// phase, and γ_r, are found by least squares over the pieces themselves, an A and B of each projected out, and frames
+/// are divided anew with these while fewer lines do (the least Σ (residuals/σ)² + cost_of_arc · (lines), σ that of
+/// `straight`). Pieces too short to bend are those of a noise that is taken for 3, 10, 30 and 100 times as large.
+/// Nothing where no bent arcs are better than straight ones. O(rounds × fit_arcs).
+///   straight  arcs of those frames without a drag;   rate  of the floor; 0: it stands still
+std::optional<FilmArcs> bent_arcs(std::span<const FilmFrame> frames, double period, const FilmArcs& straight,
+                                  double rate);
 
 /// By how much more the places of these parts differ from one floor's arcs than from another's: the difference of
 /// Σ |residual|² over the parts, each with an A and B of its own and with that floor's γ by the same parts (fit_drag),

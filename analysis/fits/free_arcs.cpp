@@ -284,6 +284,13 @@ FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOpt
     return film;
 }
 
+double cost_of_division(const FilmArcs& film, double place_noise, double angle_noise) {
+    double squares = 0, angle_squares = 0;
+    for (const FreeArc& arc : film.arcs) squares += arc.squares, angle_squares += arc.angle_squares;
+    return cost_of_arc * static_cast<double>(film.arcs.size() + film.outliers) + squares / (place_noise * place_noise) +
+           angle_squares / (angle_noise * angle_noise);
+}
+
 FilmArcs with_drags(const FilmArcs& film, const Drags& drags) {
     FilmArcs other = film;
     other.drags = drags;

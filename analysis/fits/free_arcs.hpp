@@ -123,6 +123,8 @@ FilmArcs with_drags(const FilmArcs& film, const Drags& drags);
 
 /// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
 inline constexpr double cost_of_arc = 25;
+/// What fit_arcs makes least, of any division and noise (σ of x or y, and of θ); an outlier costs a line.
+double cost_of_division(const FilmArcs& film, double place_noise, double angle_noise);
 /// So many lost frames are bridged.
 inline constexpr double longest_gap = 3.5;
 

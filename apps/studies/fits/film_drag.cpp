@@ -51,18 +51,27 @@ Floor other_than(Floor floor) {
     return floor == Floor::dish ? Floor::table : Floor::dish;
 }
 
+/// By how much the division of the film on the other floor costs more, with the noise of the worse one.
+double other_costs_more(const FilmArcs& here, const FilmArcs& there) {
+    const double place = std::max(here.place_noise, there.place_noise),
+                 angle = std::max(here.angle_noise, there.angle_noise);
+    return analysis::cost_of_division(there, place, angle) - analysis::cost_of_division(here, place, angle);
+}
+
 /// By how much the other floor is worse, by the arcs that speak most for it; NaN where these or those tell no drag.
-double other_worse_by(Floor floor, const FilmArcs& here, const FilmArcs& there, const FilmedScene& scene,
-                      const DishMotion& dish) {
-    double least = analysis::infinity;
-    for (const FilmArcs* film : {&here, &there}) {
-        const double worse = analysis::floor_worse_by(film->kept, parts_of(*film, scene, dish),
-                                                      motion_of(other_than(floor), scene, dish),
-                                                      motion_of(floor, scene, dish), film->place_noise);
-        if (std::isnan(worse)) return worse;
-        least = std::min(least, worse);
-    }
-    return least;
+/// Where on the other one no drag can be told at all, its arcs are pieces, and their number speaks.
+double other_worse_by(Floor floor, const analysis::DraggedArcs& here, const analysis::DraggedArcs& there,
+                      const FilmedScene& scene, const DishMotion& dish) {
+    const auto by_arcs = [&](const FilmArcs& film) {
+        return analysis::floor_worse_by(film.kept, parts_of(film, scene, dish),
+                                        motion_of(other_than(floor), scene, dish), motion_of(floor, scene, dish),
+                                        film.place_noise);
+    };
+    const double on_here = by_arcs(here.arcs);
+    const double on_there = std::isnan(there.drag.value) && here.drag.surely_drags()
+                                ? other_costs_more(here.arcs, there.arcs)
+                                : by_arcs(there.arcs);
+    return std::isnan(on_here) || std::isnan(on_there) ? analysis::nan : std::min(on_here, on_there);
 }
 
 }  // namespace
@@ -89,10 +98,13 @@ FilmDrag film_drag(Frames frames, double period, const FilmArcs& arcs, const Fil
     analysis::DraggedArcs there = on(other);
     if (!found.with.drag.surely_drags() && !there.drag.surely_drags()) return found;
     found.on_the_other = there.drag;
-    const double worse = other_worse_by(found.floor, found.with.arcs, there.arcs, scene, dish),
-                 better = other_worse_by(other, there.arcs, found.with.arcs, scene, dish);
+    const double worse = other_worse_by(found.floor, found.with, there, scene, dish),
+                 better = other_worse_by(other, there, found.with, scene, dish);
     found.worse_by = better > sure_floor ? -better : worse;
-    if (known.floor || !found.floor_contradicted()) return found;
+    // Where its own arcs tell no drag at all, this floor is no answer to arcs that bend.
+    const bool is_none = std::isnan(found.with.drag.value) && there.drag.surely_drags() &&
+                         other_costs_more(there.arcs, found.with.arcs) > sure_floor;
+    if (known.floor || !(found.floor_contradicted() || is_none)) return found;
     found.floor = other;
     found.worse_by = better;
     found.on_the_other = found.with.drag;

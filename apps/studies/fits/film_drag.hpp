@@ -35,8 +35,10 @@ struct KnownFloor {
 /// γ of the floor and γ_r of the spin (analysis::settled_drag), over arcs between two impacts that meet the wall
 /// nowhere else. Both floors are tried, and compared by the places alone (analysis::floor_worse_by) on the arcs that
 /// each of them makes of the film: one is told where the other is worse by `sure_floor` on both. Without a floor that
-/// is given it is the one that is told, the dish's own where none is, or no drag is sure on either.
-///   arcs  of those frames, straight
+/// is given it is the one that is told, the dish's own where none is, or no drag is sure on either. Where on one of
+/// them no γ can be told, its arcs being cut to pieces, what the division of the film costs more there counts in place
+/// of its arcs.
+///   arcs  of those frames, straight or analysis::bent_arcs()
 FilmDrag film_drag(std::span<const analysis::FilmFrame> frames, double period, const analysis::FilmArcs& arcs,
                    const FilmedScene& scene, const DishMotion& dish, const KnownFloor& known);
 

@@ -180,17 +180,33 @@ bool find_dish(FilmFit& film, const FilmedScene& scene, const Vector2d& origin) 
     return true;
 }
 
+/// Half of the kinks or more are impacts.
+bool tells_wall(const FilmFit& film) {
+    return 2 * used_kinks(film).size() >= film.impacts.size();
+}
+
 /// Arcs, dish and drag in turn: the dish is by the arcs' kinks, and the drag moves both. The arcs bend by what of
-/// film.drag is sure, and are straight where nothing is.
+/// film.drag is sure, and are straight where nothing is. Where kinks of straight arcs are no impacts, the dish is first
+/// found by arcs that bend.
 bool find_arcs(FilmFit& film, std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
                const FilmSetting& setting, const DragSearch& search) {
     constexpr int rounds = 3;
     constexpr double settled = 0.3;  // of the drag's error
     const analysis::FilmArcs straight = film.arcs = analysis::fit_arcs(frames, period, {{}, {}, setting.least_noise});
-    if (!find_dish(film, scene, setting.origin)) return false;
-    if (search.alike && !search.alike->any()) return true;
+    const bool has_dish = find_dish(film, scene, setting.origin);
+    if (search.alike && !search.alike->any()) return has_dish;
+    analysis::FilmArcs start = straight;
+    if (!has_dish || !tells_wall(film)) {
+        const double rate = scene.beta == 0 || search.floor.floor == Floor::table ? 0 : 1;
+        if (const auto bent = analysis::bent_arcs(frames, period, straight, rate)) {
+            film.arcs = start = *bent;
+            if (!find_dish(film, scene, setting.origin)) return false;
+        } else if (!has_dish) {
+            return false;
+        }
+    }
     for (int round = 0; round < rounds; ++round) {
-        film.drag = film_drag(frames, period, straight, scene, film.dish, search.floor);
+        film.drag = film_drag(frames, period, start, scene, film.dish, search.floor);
         const analysis::DraggedArcs& found = film.drag.with;
         const analysis::Drags drags = sure_drags(found, search), before = film.arcs.drags;
         if (!drags.any() && !before.any()) return true;

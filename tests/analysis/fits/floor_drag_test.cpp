@@ -220,5 +220,30 @@ TEST(FloorDrag, OfAFewArcsNothingIsSaid) {
     EXPECT_TRUE(std::isnan(found_in(frames).value));
 }
 
+/// Of straight arcs each flight would be several pieces, since it bends by more than the noise within a few frames.
+TEST(BentArcs, AreTheFlightsWithoutKnowingTheFloor) {
+    for (const double noise : {1e-9, 1e-6, 1e-4})
+        for (const double spin_drag : {0.3, 0.0, 0.8}) {
+            const auto frames = filmed(0.3, noise, 1, spin_drag);
+            const FilmArcs straight = fit_arcs(frames, period);
+            EXPECT_GT(straight.arcs.size(), 90U) << noise;
+            const auto bent = bent_arcs(frames, period, straight, floor_motion.rate);
+            ASSERT_TRUE(bent) << noise;
+            EXPECT_EQ(bent->arcs.size(), 60U) << noise << " " << spin_drag;
+            const double near = 30 * noise + 1e-7;
+            EXPECT_NEAR(bent->drags.places, 0.3, near) << noise;
+            EXPECT_NEAR(bent->drags.angle, spin_drag, near) << noise;
+            EXPECT_NEAR(bent->floor.radius, floor_motion.radius, near) << noise;
+            EXPECT_NEAR(bent->floor.phase, floor_motion.phase, near) << noise;
+        }
+}
+
+TEST(BentArcs, AreNoneOfFlightsThatDoNotBend) {
+    for (const double noise : {1e-9, 1e-4, 0.003}) {
+        const auto frames = filmed(0, noise, 2);
+        EXPECT_FALSE(bent_arcs(frames, period, fit_arcs(frames, period), floor_motion.rate)) << noise;
+    }
+}
+
 }  // namespace
 }  // namespace swirl::analysis

@@ -235,6 +235,36 @@ TEST(DraggedFilm, OfExactFramesTheRoundingIsTheNoise) {
     }
 }
 
+/// Of little noise an arc bends by many times it from frame to frame, and the ends of straight pieces of it are no
+/// impacts.
+TEST(DraggedFilm, OfExactFramesBentArcsAreNoImpacts) {
+    struct Film {
+        Floor floor;
+        double drag, spin_drag;
+        int frames_a_turn;
+        double noise, digit;
+    };
+    for (const auto& [floor, drag, spin_drag, frames_a_turn, noise, digit] :
+         {Film{Floor::dish, 0.05, 0.05, 120, 0, 1e-4}, Film{Floor::table, 0.3, 0.1, 400, 0, 1e-9},
+          Film{Floor::dish, 0.1, 0.3, 400, 1e-6, 1e-12}}) {
+        Truth truth{6, 0.4, 0.5, 0.3, 0.95, drag, spin_drag, floor};
+        std::vector<analysis::FilmFrame> frames = filmed(truth, noise, 8, frames_a_turn, 1);
+        for (analysis::FilmFrame& frame : frames)
+            for (double& number : frame.place) number = digit * std::round(number / digit);
+        const double uniform = digit / std::sqrt(12.0);
+        const FilmFit film =
+            fit_of(truth, frames, 20, {Eigen::Vector2d::Zero(), {}, Eigen::Vector3d::Constant(uniform)});
+        ASSERT_EQ(film.outcome, FilmFitOutcome::fitted) << drag;
+        EXPECT_EQ(film.drag.floor, floor) << drag;
+        EXPECT_TRUE(film.drag.floor_told()) << drag;
+        EXPECT_NEAR(film.drag.with.drag.value, drag, 4 * film.drag.with.drag.error) << drag;
+        EXPECT_NEAR(film.drag.with.spin.value, spin_drag, 4 * film.drag.with.spin.error) << drag;
+        EXPECT_LT(film.drag.with.drag.error, 0.001) << drag;
+        EXPECT_TRUE(holds(film.fit.restitution, truth.restitution)) << drag;
+        EXPECT_TRUE(holds(film.fit.friction, truth.friction)) << drag;
+    }
+}
+
 /// What the films of one drag came to; of those with straight arcs e's interval is longer by what such a drag would
 /// add.
 struct Count {

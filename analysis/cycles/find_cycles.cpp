@@ -109,7 +109,7 @@ UnseenCycles unseen_cycles(std::span<const std::int64_t> times) {
     const auto n = static_cast<double>(unseen.samples), once = static_cast<double>(unseen.once);
     const auto twice = static_cast<double>(unseen.twice);
     const double share = (n - 1) / n;
-    unseen.missed = share * once * (once - 1) / (2 * (twice + 1));
+    unseen.missed = share * once * std::max(0.0, once - 1) / (2 * (twice + 1));  // 0 has no sign
     if (unseen.missed == 0) return unseen;
     const double spread = variance_of(share, once, twice) / (unseen.missed * unseen.missed);
     const double factor = std::exp(normal * std::sqrt(std::log1p(spread)));

@@ -35,6 +35,7 @@ TEST(UnseenCycles, NoneAreMissedWhereAllWereFoundOften) {
     for (const auto& times : {std::vector<std::int64_t>{}, {7, 9, 4}, {1, 80, 3}}) {
         const UnseenCycles unseen = unseen_cycles(times);
         EXPECT_EQ(unseen.missed, 0);
+        EXPECT_FALSE(std::signbit(unseen.missed));
         EXPECT_EQ(unseen.most_missed, 0);
     }
 }

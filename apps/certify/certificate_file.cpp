@@ -195,32 +195,48 @@ void require_stretches(const Json& row, const StatedBoxes& boxes) {
     if (!equal) throw BadInput("what is said of a branch's stability is not what its boxes say");
 }
 
-/// One of `special` is what boxes first … last − 1, whose stability is not decided, say: how many multipliers cross,
-/// where, and whether the parameter runs along all of them.
-bool is_change_over(const Json& change, const StatedBoxes& boxes, std::size_t first, std::size_t last) {
-    const int before = boxes[first - 1].outside, after = boxes[last].outside;
-    const Json& place = change.at("box");
-    if (place.size() != 1) throw BadInput("a special point of a branch lies along one parameter");
+/// The boxes of which the stability is not decided lie between the two parameters.
+bool holds_boxes(const StatedBoxes& boxes, const proof_check::StatedSpecial& special) {
+    return std::all_of(boxes.begin() + static_cast<std::ptrdiff_t>(special.first),
+                       boxes.begin() + static_cast<std::ptrdiff_t>(special.last), [&](const auto& box) {
+                           const bool runs = box.running + 1 == box.middle.size();
+                           return runs ? special.low <= box.low && special.high >= box.high
+                                       : special.low <= box.middle.back() + box.within &&
+                                             special.high >= box.middle.back() - box.within;
+                       });
+}
+
+/// One of `special`, which is about boxes first … last − 1, whose stability is not decided: their number of multipliers
+/// before and after is compared here; the place of one that is stated as proven is what the check is about.
+void read_special(const Json& row, std::size_t first, std::size_t last, proof_check::StatedBranch& branch) {
+    const int before = branch.boxes[first - 1].outside, after = branch.boxes[last].outside;
+    const Json& place = row.at("box");
+    if (place.size() != 1 || !place.contains(branch.parameter))
+        throw BadInput("a special point of a branch lies along its parameter");
     const auto [low, high] = range_in(place.begin().value());
-    bool regular = true, inside = true;
-    for (std::size_t i = first; i < last; ++i) {
-        const proof_check::StatedBox& box = boxes[i];
-        const bool runs = box.running + 1 == box.middle.size();
-        regular = regular && runs;
-        inside = inside && (runs ? low <= box.low && high >= box.high
-                                 : low <= box.middle.back() + box.within && high >= box.middle.back() - box.within);
-    }
-    const auto kind = change.at("kind").get<std::string>();
+    proof_check::StatedSpecial special{row.at("kind").get<std::string>(), {}, 0, low, high, 0, 0, first, last};
+    const bool is_pair = special.kind == "neimark-sacker";
     const int crossed = std::abs(after - before);
-    const bool named = kind == "change" || (kind == "fold" && crossed == 1 && !regular) ||
-                       (kind == "flip" && crossed == 1 && regular) ||
-                       (kind == "neimark-sacker" && crossed == 2 && regular);
-    return named && inside && whole(change.at("outside_before")) == before &&
-           whole(change.at("outside_after")) == after;
+    const bool named = ((special.kind == "fold" || special.kind == "flip") && crossed == 1) ||
+                       (is_pair && crossed == 2) || (special.kind == "change" && crossed > 2);
+    const bool proven = row.at("proven").get<bool>();
+    if (!named || (proven && crossed > 2) || whole(row.at("outside_before")) != before ||
+        whole(row.at("outside_after")) != after || !(proven || holds_boxes(branch.boxes, special)))
+        throw BadInput("a special point of a branch is not what its boxes say");
+    if (!proven) return;
+    special.middle = row.at("middle").get<std::vector<double>>();
+    special.within = row.at("within").get<double>();
+    if (is_pair) {
+        const auto [least, most] = range_in(row.at("angle"));
+        special.angle_low = least;
+        special.angle_high = most;
+    }
+    branch.special.push_back(std::move(special));
 }
 
 /// Every one of `special` is what boxes say, and none that they say is missing.
-void require_changes(const Json& row, const StatedBoxes& boxes) {
+void read_specials(const Json& row, proof_check::StatedBranch& branch) {
+    const StatedBoxes& boxes = branch.boxes;
     const Json& stated = row.at("special");
     std::size_t found = 0;
     for (std::size_t first = 1; first < boxes.size(); ++first) {
@@ -229,8 +245,8 @@ void require_changes(const Json& row, const StatedBoxes& boxes) {
         while (last < boxes.size() && !boxes[last].decided) ++last;
         if (last == boxes.size()) break;
         if (boxes[first - 1].outside == boxes[last].outside) continue;
-        if (found == stated.size() || !is_change_over(stated[found], boxes, first, last))
-            throw BadInput("a special point of a branch is not what its boxes say");
+        if (found == stated.size()) throw BadInput("a special point of a branch is missing");
+        read_special(stated[found], first, last, branch);
         ++found;
     }
     if (found != stated.size()) throw BadInput("a special point of a branch is in none of its boxes");
@@ -277,7 +293,7 @@ proof_check::StatedBranch branch_in(const Json& document, const Json& row) {
         branch.boxes.push_back(std::move(box));
     }
     require_stretches(row, branch.boxes);
-    require_changes(row, branch.boxes);
+    read_specials(row, branch);
     return branch;
 }
 

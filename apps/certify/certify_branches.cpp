@@ -32,6 +32,7 @@ namespace {
 using proof::BranchBox;
 using proof::BranchEnd;
 using proof::BranchEndKind;
+using proof::SpecialPoint;
 
 /// What the scene of all branches is: its parameter does not matter, but is a number of it.
 Scene<double> scene_along(Scene<double> scene, const ParameterRange& along) {
@@ -78,22 +79,23 @@ void write_word(JsonWriter& json, const std::vector<proof::Branch>& word) {
     json.end_array();
 }
 
-void write_changes(JsonWriter& json, const CertifiedBranch& branch, const ParameterRange& along) {
-    json.key("special");
-    json.begin_array();
-    for (const ProvenChange& change : branch.changes()) {
-        json.begin_object();
-        json.member("kind", change.kind);
-        json.member("proven", true);
-        json.key("box");
-        json.begin_object();
-        json.list(along.name, std::vector<double>{change.low, change.high});
-        json.end_object();
-        json.member("outside_before", change.outside_before);
-        json.member("outside_after", change.outside_after);
-        json.end_object();
+void write_special(JsonWriter& json, const SpecialPoint& special, const ParameterRange& along) {
+    json.begin_object();
+    json.member("kind", proof::name_of(special.kind));
+    json.member("proven", special.proven);
+    json.key("box");
+    json.begin_object();
+    json.list(along.name, std::vector<double>{special.parameter_low, special.parameter_high});
+    json.end_object();
+    json.member("outside_before", special.outside_before);
+    json.member("outside_after", special.outside_after);
+    if (special.proven) {
+        json.list("middle", special.middle);
+        json.member("within", special.within);
+        if (special.kind == proof::SpecialKind::neimark_sacker)
+            json.list("angle", std::vector<double>{special.angle_low, special.angle_high});
     }
-    json.end_array();
+    json.end_object();
 }
 
 void write_branch(JsonWriter& json, const CertifiedBranch& branch, const ParameterRange& along) {
@@ -119,7 +121,10 @@ void write_branch(JsonWriter& json, const CertifiedBranch& branch, const Paramet
             json.end_object();
         }
         json.end_array();
-        write_changes(json, branch, along);
+        json.key("special");
+        json.begin_array();
+        for (const SpecialPoint& special : branch.proof.special) write_special(json, special, along);
+        json.end_array();
         json.key("ends");
         json.begin_array();
         for (const BranchEnd& end : branch.proof.ends) write_end(json, end, along);
@@ -192,6 +197,20 @@ std::string end_in_words(const BranchEnd& end, const ParameterRange& along) {
     return fmt::format("{}: {}{}{}", place, is_doubt ? "not certain: " : "", end.reason, end.proven ? " (proven)" : "");
 }
 
+std::string special_in_words(const SpecialPoint& special) {
+    const std::string counts =
+        fmt::format("{} multipliers outside, then {}", special.outside_before, special.outside_after);
+    if (!special.proven)
+        return fmt::format("{}, not proven, between {:.12g} and {:.12g}: {}", proof::name_of(special.kind),
+                           special.parameter_low, special.parameter_high, counts);
+    const double middle = special.middle.back();
+    std::string text = fmt::format("{} at {:.12g} (proven within {:.1g}): {}", proof::name_of(special.kind), middle,
+                                   special.parameter_high - middle, counts);
+    if (special.kind == proof::SpecialKind::neimark_sacker)
+        text += fmt::format(", of angle {:.9g}", 0.5 * (special.angle_low + special.angle_high));
+    return text;
+}
+
 void print_branch(const CertifiedBranch& branch, const ParameterRange& along) {
     const std::string head =
         fmt::format("  orbit {}, period {}, {}", branch.number, branch.period, word_of(branch.proof.itinerary));
@@ -205,11 +224,8 @@ void print_branch(const CertifiedBranch& branch, const ParameterRange& along) {
     for (const StabilitySpan& span : branch.spans())
         if (span.stability != proof::ProvenStability::undecided)
             fmt::print("    {:<11} from {:.10g} to {:.10g}\n", proof::name_of(span.stability), span.begin, span.end);
-    for (const ProvenChange& change : branch.changes())
-        fmt::print("    {}\n",
-                   wrapped(fmt::format("{} between {:.12g} and {:.12g}: {} multipliers outside, then {}", change.kind,
-                                       change.low, change.high, change.outside_before, change.outside_after),
-                           6));
+    for (const SpecialPoint& special : branch.proof.special)
+        fmt::print("    {}\n", wrapped(special_in_words(special), 6));
     for (const BranchEnd& end : branch.proof.ends)
         fmt::print("    {}\n", wrapped("ends " + end_in_words(end, along), 6));
 }
@@ -254,7 +270,7 @@ std::vector<RecordedBranch> recorded_branches(const orbits::RecordCycles& cycles
 }
 
 /// From the least to the largest parameter that the record's cycles have.
-ParameterRange range_of(const orbits::RecordCycles& cycles) {
+ParameterRange range_of_cycles(const orbits::RecordCycles& cycles) {
     ParameterRange along;
     along.name = cycles.along;
     along.parameter = parameter_named(cycles.along);
@@ -267,6 +283,28 @@ ParameterRange range_of(const orbits::RecordCycles& cycles) {
         first = false;
     }
     return along;
+}
+
+bool is_isolated(const Scene<double>& scene, const ParameterRange& along) {
+    try {
+        proof::require_isolated_branch(scene, *along.parameter, along.low, along.high);
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+    return true;
+}
+
+/// The range that the record was asked for, in which branches may go on beyond their last cycles; that of the cycles
+/// alone where it is not told or reaches to where cycles come in families.
+ParameterRange range_of(const orbits::RecordCycles& cycles) {
+    const ParameterRange own = range_of_cycles(cycles);
+    if (cycles.range.empty()) return own;
+    const bool counted = std::count(cycles.range.begin(), cycles.range.end(), ':') != 1;
+    const ParameterRange asked = parameter_range_from(cycles.range, counted, true);
+    ParameterRange along = own;
+    along.low = std::min({own.low, asked.low, asked.high});
+    along.high = std::max({own.high, asked.low, asked.high});
+    return asked.parameter == own.parameter && is_isolated(cycles.scene, along) ? along : own;
 }
 
 ProvenBranches covered(const CertifyOptions& options) {

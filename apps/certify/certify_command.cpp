@@ -50,8 +50,9 @@ beta > 0, restitution < 1. `swirl plot` draws the record.
 overlap: for every value in a box there is one cycle of the branch, with the same word and period, and as many multipliers
 outside the unit circle. It goes on through folds, and ends where the range does, or an impact leaves its contact mode, or
 another vertex touches: which, and between which two values. Between boxes of different stability a fold, flip or
-Neimark-Sacker point is proven. RECORD --branches covers the branches of a record of continue or bifurcate so, and says which
-share of their length is proven. No families (a disk, or no friction, at restitution = 1).
+Neimark-Sacker point is enclosed and proven to be quadratic, or crossed with a speed that is not 0. RECORD --branches covers the
+branches of a record of continue or bifurcate so, over the range that was asked for, and says which share of their length is
+proven. No families (a disk, or no friction, at restitution = 1).
 
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
 fixed points is not part of that.

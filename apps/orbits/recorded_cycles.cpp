@@ -133,6 +133,8 @@ RecordCycles cycles_in_rows(const RecordReader& record, const std::string& group
         parameter = parameter_named(result.along);
         if (parameter) values = record.read<double>("/branches/parameter");
         if (!parameter) result.along.clear();
+        if (parameter && record.has_attribute("/settings", "range"))
+            result.range = flag_text_of(record.attribute("/settings", "range")).value_or("");
         if (parameter && record.contains("/branches/branch"))
             result.branches = record.read<std::int64_t>("/branches/branch");
     }

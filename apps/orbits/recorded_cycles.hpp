@@ -19,6 +19,7 @@ struct RecordCycles {
     Scene<double> scene;
     std::string along;  ///< the parameter in which the cycles' scenes differ; empty: all in the same scene
     std::vector<CyclePlace> places;
+    std::string range = {};                   ///< of a record of branches, the range that was asked for, as its flag
     std::vector<std::int64_t> branches = {};  ///< of each cycle of a record of branches, the number of its branch
     std::vector<std::string> others = {};     ///< kinds of the rows that are no cycles (chaos), "" of those that are
 };

@@ -25,7 +25,24 @@ struct Dual {
         result.by[i] = S(1);
         return result;
     }
+
+    Dual& operator+=(const Dual& x) { return *this = *this + x; }
+    Dual& operator-=(const Dual& x) { return *this = *this - x; }
+    void add_product(const Dual& x, const Dual& y) { *this += x * y; }
 };
+
+/// So that duals over duals, which have second derivatives, read as duals over balls do.
+template <std::size_t D, class S>
+bool is_exact_zero(const Dual<D, S>& x) {
+    if (!is_exact_zero(x.value)) return false;
+    for (const S& d : x.by)
+        if (!is_exact_zero(d)) return false;
+    return true;
+}
+template <std::size_t D, class S>
+decltype(auto) values_of(const Dual<D, S>& x) {
+    return values_of(x.value);
+}
 
 namespace detail {
 

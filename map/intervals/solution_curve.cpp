@@ -209,6 +209,21 @@ std::optional<CurvePiece> curve_piece(const CurveSystem& system, const std::vect
     return piece;
 }
 
+CurvePiece as_point(const std::vector<Ball>& unknowns, std::size_t running) {
+    CurvePiece point;
+    point.running = running;
+    point.low = lower(unknowns[running]);
+    point.high = upper(unknowns[running]);
+    point.slope.assign(unknowns.size(), 0.0);
+    point.curvature = point.slope;
+    for (const Ball& x : unknowns) {
+        point.middle.push_back(middle(x));
+        point.near.push_back(upper(abs(x - Ball(point.middle.back()))));
+    }
+    point.domain = point.near;
+    return point;
+}
+
 bool lies_on(const CurvePiece& piece, const CurvePiece& point) {
     const std::vector<Running> at = tube(point, point.near);
     const Running s = at[piece.running], over = Running::variable(piece.low, piece.high, 0);

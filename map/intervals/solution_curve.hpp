@@ -57,6 +57,9 @@ std::vector<double> direction_at(const CurveSystem& system, const std::vector<do
 /// unknown, where the zero is alone. Two pieces on which one point lies are pieces of one curve.
 bool lies_on(const CurvePiece& piece, const CurvePiece& point);
 
+/// A point that was enclosed by other means, to be asked whether it lies on a piece.
+CurvePiece as_point(const std::vector<Ball>& unknowns, std::size_t running);
+
 /// No less than |x|, whatever e.
 double largest(const Running& x);
 

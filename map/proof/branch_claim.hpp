@@ -61,11 +61,29 @@ struct BranchEnd {
     double parameter_low = 0, parameter_high = 0;
 };
 
+enum class SpecialKind { fold, flip, neimark_sacker, change };
+std::string_view name_of(SpecialKind kind);
+
+/// A change of the number of multipliers outside the unit circle. That the number changes between the parameters is
+/// proven. `proven`: so is the point of this kind (map/intervals/bifurcation_point.hpp says what that holds), which is
+/// a cycle of the branch. Otherwise the kind is the likely one, `change` where none is.
+struct SpecialPoint {
+    SpecialKind kind = SpecialKind::change;
+    bool proven = false;
+    int outside_before = 0, outside_after = 0;
+    double parameter_low = 0, parameter_high = 0;  ///< of the point; where it is not proven, of the boxes
+    std::vector<double> middle;                    ///< of a proven one: its unknowns lie within `within` of these
+    double within = 0;
+    double angle_low = 0, angle_high = 0;  ///< of a proven Neimark–Sacker point: the multipliers are e^{±iθ}
+    std::size_t first = 0, last = 0;       ///< boxes first … last − 1, whose stability is not decided
+};
+
 struct BranchProof {
     std::string reason;  ///< why nothing was proven; empty: something was
     std::vector<Branch> itinerary;
     std::vector<BranchBox> boxes;  ///< from one end to the other, each with the next of one curve
     std::array<BranchEnd, 2> ends;
+    std::vector<SpecialPoint> special;  ///< in the boxes' order
     double from = 0, to = 0;  ///< the cycles' parameters reach from one to the other, within the range that was asked
 
     bool proven() const { return !boxes.empty(); }

@@ -21,6 +21,22 @@ constexpr double undecided_growth = 1.15;  ///< of one to the next: less than th
 constexpr double overlap_share = 1e-3;     ///< of a step, at both ends
 constexpr std::size_t most_boxes = 20'000;
 
+/// The parameter is a scene's for all of the box, or beyond a bound that scenes may have by rounding: a range that ends
+/// there is walked a little beyond.
+bool is_a_scenes(Parameter parameter, const Running& p) {
+    constexpr double rounding = 1e-9;
+    switch (parameter) {
+        case Parameter::alpha:
+            return lower(p) > 0 && upper(p) < 1;
+        case Parameter::restitution:
+            return lower(p) >= -rounding && upper(p) <= 1 + rounding;
+        case Parameter::inertia_factor:
+            return lower(p) > 0;
+        default:
+            return lower(p) >= -rounding;
+    }
+}
+
 /// A box that was tried, with the point at which the next begins.
 struct Step {
     CurvePiece piece, next;
@@ -69,7 +85,7 @@ private:
         if (!curve_along(length, step)) {
             last_ = {Verdict::undecided,
                      BranchEndKind::equations,
-                     "Krawczyk's operator maps no box into itself",
+                     "no box is mapped into itself by Krawczyk's operator",
                      false,
                      0,
                      0};
@@ -100,6 +116,7 @@ private:
             guess[i] += 0.5 * (far - from) / (direction_[c] * start_.scales[c]) * direction_[i] * start_.scales[i];
         const auto piece = curve_piece(equations(), guess, c, std::min(near, far), std::max(near, far));
         if (!piece || !lies_on(*piece, joint_)) return false;
+        if (!is_a_scenes(system_.parameter, tube(*piece, piece->near)[column()])) return false;
         const std::vector<Running> ahead = centre_of(*piece);
         const double e = (to - ahead[c].mid) / ahead[c].by[0];
         for (std::size_t i = 0; i < guess.size(); ++i)

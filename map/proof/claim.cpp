@@ -12,6 +12,20 @@ std::string_view name_of(ProvenStability stability) {
     return names[static_cast<std::size_t>(stability)];
 }
 
+std::string_view name_of(SpecialKind kind) {
+    switch (kind) {
+        case SpecialKind::fold:
+            return "fold";
+        case SpecialKind::flip:
+            return "flip";
+        case SpecialKind::neimark_sacker:
+            return "neimark-sacker";
+        case SpecialKind::change:
+            break;
+    }
+    return "change";
+}
+
 std::string_view name_of(BranchEndKind kind) {
     static constexpr std::string_view names[] = {"range",  "closed",    "contact-mode", "clearance",
                                                  "period", "equations", "stopped"};

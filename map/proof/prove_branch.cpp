@@ -2,6 +2,7 @@
 
 #include "map/proof/branch_walk.hpp"
 #include "map/proof/prepared_system.hpp"
+#include "map/proof/special_points.hpp"
 #include "map/proof/words.hpp"
 
 #include <algorithm>
@@ -61,7 +62,8 @@ std::variant<BranchStart, std::string> start_of(const BranchClaim& claim) {
             for (double& d : start.direction) d = -d;
         return start;
     }
-    return prepared.reason.empty() ? "Krawczyk's operator maps no box about the cycle into itself" : prepared.reason;
+    return prepared.reason.empty() ? "no box about the cycle is mapped into itself by Krawczyk's operator"
+                                   : prepared.reason;
 }
 
 /// The parameters that the points between boxes reach, less what the check's enclosures of such a point, of some 10⁻¹¹,
@@ -120,6 +122,7 @@ BranchProof prove_branch(const BranchClaim& claim, const std::function<bool()>& 
     for (BranchBox& box : ahead.boxes) proof.boxes.push_back(std::move(box));
     proof.ends = {back.end, ahead.end};
     set_range(claim, proof);
+    proof.special = special_points(start.system, proof.boxes);
     if (proof.boxes.empty()) proof.reason = ahead.end.reason;
     return proof;
 }

@@ -3,6 +3,7 @@
 #include "map/intervals/unit_circle.hpp"
 #include "map/proof_check/checked_system.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -38,6 +39,8 @@ SceneOver<S> scene_with(const StatedScene& exact, const Ball& exact_kappa, const
     const auto number = [](const Ball& x) {
         if constexpr (std::is_same_v<S, RunningGradient>)
             return S(Running(x));
+        else if constexpr (std::is_same_v<S, SecondGradient>)
+            return S(Gradient(x));
         else
             return S(x);
     };
@@ -79,6 +82,12 @@ std::optional<RunningMatrix> solved(RunningMatrix a, RunningMatrix b) {
     return b;
 }
 
+/// A step's variables, each with the derivative of its derivative.
+StepVariablesOver<Gradient> second_variables(const std::array<Gradient, scene_variable>& x) {
+    const auto at = [&x](std::size_t i) { return SecondGradient(x[i], i); };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10)};
+}
+
 }  // namespace
 
 BranchEquations::BranchEquations(const StatedBranch& branch)
@@ -106,19 +115,21 @@ SceneOver<RunningGradient> BranchEquations::scene_at(const Running& parameter) c
     return scene_with<RunningGradient>(scene_, kappa_, parameter_, RunningGradient(parameter, scene_variable));
 }
 
-StepVariablesOver<Running> BranchEquations::variables_of(const std::vector<Running>& unknowns, std::size_t i) const {
-    std::array<RunningGradient, 11> g;
+template <class S>
+StepVariablesOver<S> BranchEquations::variables_of(const std::vector<S>& unknowns, std::size_t i) const {
+    std::array<GradientOver<S>, 11> g;
     const std::size_t to = (i + 1) % steps_.size();
     for (std::size_t a = 0; a < kept_.size(); ++a) {
-        g[kept_[a]] = RunningGradient(unknowns[i * width() + a], kept_[a]);
-        g[next_place + kept_[a]] = RunningGradient(unknowns[to * width() + a], next_place + kept_[a]);
+        g[kept_[a]] = GradientOver<S>(unknowns[i * width() + a], kept_[a]);
+        g[next_place + kept_[a]] = GradientOver<S>(unknowns[to * width() + a], next_place + kept_[a]);
     }
-    g[time_place] = RunningGradient(unknowns[(i + 1) * width() - 1], time_place);
+    g[time_place] = GradientOver<S>(unknowns[(i + 1) * width() - 1], time_place);
     return {g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10]};
 }
 
-std::vector<const RunningGradient*> BranchEquations::equations_of(const StepEquationsOver<Running>& all) const {
-    std::vector<const RunningGradient*> list{&all.position_x, &all.position_y, &all.friction, &all.restitution,
+template <class S>
+std::vector<const GradientOver<S>*> BranchEquations::equations_of(const StepEquationsOver<S>& all) const {
+    std::vector<const GradientOver<S>*> list{&all.position_x, &all.position_y, &all.friction, &all.restitution,
                                              &all.spin};
     if (!scene_.disk()) list.push_back(&all.turn);
     return list;
@@ -139,6 +150,43 @@ intervals::CurveLinearisation BranchEquations::at(const std::vector<Running>& un
             row.emplace_back((i + 1) * width() - 1, equation->d[time_place]);
             row.emplace_back(unknowns.size() - 1, equation->d[scene_variable]);
             result.values.push_back(equation->f);
+            result.rows.push_back(std::move(row));
+        }
+    }
+    return result;
+}
+
+bool BranchEquations::is_smooth() const {
+    return std::all_of(steps_.begin(), steps_.end(),
+                       [](const StatedStep& step) { return step.slip != 0 || step.contact_mode == "frictionless"; });
+}
+
+intervals::SecondOrder BranchEquations::twice_at(const intervals::BallVector& unknowns) const {
+    using Place = std::array<std::size_t, 2>;  // of a step's variables, of the cycle's unknowns
+    intervals::SecondOrder result;
+    const auto scene = scene_with<SecondGradient>(
+        scene_, kappa_, parameter_, SecondGradient(Gradient(unknowns.back(), scene_variable), scene_variable));
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        const std::size_t to = (i + 1) % steps_.size();
+        std::vector<Place> places{{time_place, (i + 1) * width() - 1}, {scene_variable, unknowns.size() - 1}};
+        for (std::size_t a = 0; a < kept_.size(); ++a) {
+            places.push_back({kept_[a], i * width() + a});
+            places.push_back({next_place + kept_[a], to * width() + a});
+        }
+        std::array<Gradient, scene_variable> local;
+        for (const auto& [place, column] : places)
+            if (place != scene_variable) local[place] = Gradient(unknowns[column], place);
+        const auto all = step_equations(scene, steps_[i], second_variables(local), nullptr);
+        for (const SecondGradient* equation : equations_of(all)) {
+            std::vector<intervals::DependentEntry> row;
+            for (const auto& [place, column] : places) {
+                const bool is_next = place >= next_place && place != scene_variable;
+                intervals::DependentEntry entry{column, is_next && to == 0, equation->d[place].f, {}};
+                for (const auto& [other, other_column] : places)
+                    entry.by.emplace_back(other_column, equation->d[place].d[other]);
+                row.push_back(std::move(entry));
+            }
+            result.values.push_back(equation->f.f);
             result.rows.push_back(std::move(row));
         }
     }
@@ -179,7 +227,17 @@ bool BranchEquations::differ(const std::vector<Running>& unknowns, std::size_t i
     return false;
 }
 
+bool BranchEquations::is_in_range(const Running& parameter) const {
+    constexpr double rounding = 1e-9;  // boxes reach a little beyond a range that ends at a bound
+    const bool positive = parameter_ == "alpha" || parameter_ == "inertia-factor";
+    const double least = intervals::lower(parameter), most = intervals::upper(parameter);
+    if (positive ? !(least > 0) : !(least >= -rounding)) return false;
+    if (parameter_ == "alpha") return most < 1;
+    return parameter_ != "restitution" || most <= 1 + rounding;
+}
+
 std::string BranchEquations::doubt(const std::vector<Running>& unknowns) const {
+    if (!is_in_range(unknowns.back())) return "its parameter leaves the range that scenes have";
     if (std::string open = doubtful_impact(unknowns); !open.empty()) return open;
     if (std::string open = doubtful_flight(unknowns); !open.empty()) return open;
     for (std::size_t i = 1; i < steps_.size(); ++i)

@@ -31,6 +31,9 @@ public:
         : branch_(branch), equations_(branch), stop_(stop) {}
 
     std::string run() {
+        for (const StatedSpecial& special : branch_.special)
+            if (std::string failed = take_special(special); !failed.empty())
+                return "special point " + std::to_string(special_.size() + 1) + ": " + failed;
         std::vector<CurvePiece> before;
         for (std::size_t i = 0; i < branch_.boxes.size(); ++i) {
             if (stop_()) return "the check was stopped";
@@ -40,8 +43,11 @@ public:
             if (failed.empty() && i > 0 && !are_joined(before, pieces))
                 failed = "it is not shown to be of one curve with the box before";
             if (!failed.empty()) return "box " + std::to_string(i + 1) + ": " + failed;
+            see_special(i, pieces);
             before = std::move(pieces);
         }
+        for (std::size_t i = 0; i < special_.size(); ++i)
+            if (!seen_[i]) return "special point " + std::to_string(i + 1) + ": it is not shown to lie in its boxes";
         if (!(least_ <= branch_.from)) return "its parameter is not shown to come down to where it is said to";
         if (!(most_ >= branch_.to)) return "its parameter is not shown to come up to where it is said to";
         return {};
@@ -50,6 +56,41 @@ public:
 private:
     intervals::CurveSystem system() const {
         return [this](const std::vector<Running>& unknowns) { return equations_.at(unknowns); };
+    }
+
+    /// The point is enclosed again. @return what of its statement fails
+    std::string take_special(const StatedSpecial& stated) {
+        using intervals::BifurcationKind;
+        const bool is_pair = stated.kind == "neimark-sacker";
+        if (stated.middle.size() != equations_.unknowns() || !(stated.within > 0 && stated.within < 1e-6))
+            return "it has another number of unknowns, or no place";
+        if (stated.kind != "fold" && stated.kind != "flip" && !is_pair) return "its kind is none";
+        if (!equations_.is_smooth()) return "slip stops at once: there is no second derivative";
+        const auto twice = [this](const intervals::BallVector& at) { return equations_.twice_at(at); };
+        const auto kind = is_pair                 ? BifurcationKind::neimark_sacker
+                          : stated.kind == "fold" ? BifurcationKind::fold
+                                                  : BifurcationKind::flip;
+        const auto point = intervals::bifurcation_point(twice, kind, stated.middle);
+        if (!point) return "no " + stated.kind + " point is shown to be there";
+        for (std::size_t i = 0; i < stated.middle.size(); ++i)
+            if (!(upper(abs(point->unknowns[i] - Ball(stated.middle[i]))) <= stated.within))
+                return "it does not lie where it is said to";
+        if (!(lower(point->unknowns.back()) >= stated.low && upper(point->unknowns.back()) <= stated.high))
+            return "its parameter is another";
+        if (is_pair && !(lower(point->angle) >= stated.angle_low && upper(point->angle) <= stated.angle_high))
+            return "its multipliers have another angle";
+        special_.push_back(point->unknowns);
+        seen_.push_back(false);
+        return {};
+    }
+
+    /// Which of the special points lie on a box's pieces.
+    void see_special(std::size_t box, const std::vector<CurvePiece>& pieces) {
+        for (std::size_t i = 0; i < special_.size(); ++i) {
+            if (box < branch_.special[i].first || box >= branch_.special[i].last) continue;
+            for (const CurvePiece& piece : pieces)
+                if (lies_on(piece, intervals::as_point(special_[i], piece.running))) seen_[i] = true;
+        }
     }
 
     /// Pieces of the curve, one after another, over [low, high] of the box. @return why there are none
@@ -141,6 +182,8 @@ private:
     const StatedBranch& branch_;
     BranchEquations equations_;
     const std::function<bool()>& stop_;
+    std::vector<intervals::BallVector> special_;  ///< enclosed
+    std::vector<bool> seen_;                      ///< on a piece of one of their boxes
     double least_ = std::numeric_limits<double>::infinity(), most_ = -std::numeric_limits<double>::infinity();
 };
 

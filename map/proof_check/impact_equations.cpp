@@ -75,7 +75,7 @@ using Inequalities = std::vector<Inequality>;
 
 template <class S>
 void want(Inequalities* list, const char* name, const S& value) {
-    if (list != nullptr) list->push_back({name, intervals::values_of(value)});
+    if (list != nullptr) list->push_back({name, values_of(value)});
 }
 
 /// An impact during which the slip of sign s stops at p_k: C(p) has slope c before and f beyond.
@@ -148,7 +148,7 @@ StepEquationsOver<S> step_equations(const SceneOver<N>& scene, const StatedStep&
     equations.position_y = y - (st * next_x + ct * next_y);
     equations.turn = S(step.vertex_step) * scene.spacing + (corner + at.spin * at.tau - next_corner - at.tau);
     const S circle = S(2) * S(intervals::pi_ball());
-    const double turns = std::round(intervals::middle(equations.turn.f / circle));
+    const double turns = std::round(intervals::middle(values_of(equations.turn.f / circle)));
     if (std::isfinite(turns)) equations.turn = -(S(turns) * circle) + equations.turn;
     const Contact<S> contact = contact_of(scene, at);
     equations.spin = scene.inertia * (at.next_spin - at.spin) - (contact.rn * contact.q + contact.rt * contact.p);
@@ -160,6 +160,8 @@ StepEquationsOver<S> step_equations(const SceneOver<N>& scene, const StatedStep&
 
 template StepEquationsOver<Ball> step_equations(const SceneOver<Ball>&, const StatedStep&,
                                                 const StepVariablesOver<Ball>&, std::vector<Inequality>*);
+template StepEquationsOver<Gradient> step_equations(const SceneOver<SecondGradient>&, const StatedStep&,
+                                                    const StepVariablesOver<Gradient>&, std::vector<Inequality>*);
 template StepEquationsOver<intervals::Curved<2>> step_equations(const SceneOver<intervals::Curved<2>>&,
                                                                 const StatedStep&,
                                                                 const StepVariablesOver<intervals::Curved<2>>&,

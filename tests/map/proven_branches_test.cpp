@@ -14,6 +14,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swirl::tests {
@@ -43,6 +44,10 @@ StatedBranch stated_branch(const BranchClaim& claim, const BranchProof& p) {
     branch.to = p.to;
     for (const BranchBox& b : p.boxes)
         branch.boxes.push_back({b.running, b.low, b.high, b.middle, b.within, b.decided, b.outside, b.inside});
+    for (const proof::SpecialPoint& s : p.special)
+        if (s.proven)
+            branch.special.push_back({std::string(name_of(s.kind)), s.middle, s.within, s.parameter_low,
+                                      s.parameter_high, s.angle_low, s.angle_high, s.first, s.last});
     return branch;
 }
 
@@ -91,10 +96,15 @@ TEST(ProvenBranch, GoesOnThroughAFoldBeyondWhichThereAreTwoFixedPointsLess) {
     EXPECT_EQ(p.ends[1].kind, BranchEndKind::range);
     EXPECT_EQ(p.ends[0].parameter_low, 0.39);
     EXPECT_EQ(p.ends[1].parameter_low, 0.39);
+    proof::SpecialPoint fold;
+    for (const auto& special : p.special)
+        if (special.kind == proof::SpecialKind::fold) fold = special;
+    ASSERT_TRUE(fold.proven);
+    EXPECT_LT(fold.parameter_high - fold.parameter_low, 1e-9);
     const auto count = [&](double alpha) {
         return proof::all_fixed_points(with_parameter(claim.scene, claim.parameter, alpha), 1.5, go_on).proven.size();
     };
-    EXPECT_EQ(count(p.to - 1e-5), count(p.to + 1e-5) + 2);
+    EXPECT_EQ(count(fold.parameter_low - 1e-8), count(fold.parameter_high + 1e-8) + 2);
 }
 
 /// Where β = 1 − α sticking fixed points of the − branch touch with u_n = 0.
@@ -140,6 +150,93 @@ TEST(ProvenBranchNightly, OfTwentyCyclesOfPeriodsOneToEightIsProvenAgain) {
     expect_reference_branches(1, 1e-3);
 }
 
+/// One special point of a branch, proven.
+proof::SpecialPoint only_special(const BranchProof& p) {
+    EXPECT_EQ(p.special.size(), 1U);
+    if (p.special.size() != 1) return {};
+    EXPECT_TRUE(p.special.front().proven);
+    EXPECT_LT(p.special.front().parameter_high - p.special.front().parameter_low, 1e-9);
+    return p.special.front();
+}
+
+TEST(ProvenBranch, HasANeimarkSackerPointWithTheAngleOfItsMultipliers) {
+    const BranchClaim claim = hexagon_claim(1, Parameter::alpha, 0.4, 0.42);
+    const BranchProof p = prove_branch(claim, go_on);
+    ASSERT_TRUE(p.proven()) << p.reason;
+    const auto special = only_special(p);
+    EXPECT_EQ(special.kind, proof::SpecialKind::neimark_sacker);
+    EXPECT_EQ(what_fails(stated_branch(claim, p)), "");
+    const double angle = 0.5 * (special.angle_low + special.angle_high);
+    const auto all = proof::all_fixed_points(with_parameter(claim.scene, claim.parameter, special.parameter_low - 1e-7),
+                                             special.middle[5] + 0.1, go_on);
+    double nearest = 1;
+    for (const proof::CycleProof& cycle : all.proven)
+        for (const auto& disc : cycle.multipliers)
+            nearest = std::min(nearest, std::hypot(disc.re - std::cos(angle), disc.im - std::sin(angle)));
+    EXPECT_LT(nearest, 1e-4);
+}
+
+/// A stated special point of which one thing is false.
+StatedBranch with_false_special(StatedBranch branch, unsigned what, std::mt19937& draw) {
+    auto& special = branch.special[draw() % branch.special.size()];
+    std::uniform_real_distribution<double> share(0, 1);
+    switch (what % 6) {
+        case 0:
+            special.kind = special.kind == "fold" ? "flip" : "fold";
+            break;
+        case 1:
+            special.middle[draw() % special.middle.size()] += special.within * (2.1 + 1e3 * share(draw));
+            break;
+        case 2:
+            special.within = 1e-19 * share(draw);
+            break;
+        case 3:
+            special.low = special.high;
+            special.high += 1e-9 * (1 + share(draw));
+            break;
+        case 4:
+            if (special.kind == "neimark-sacker")
+                special.angle_high = special.angle_low;
+            else
+                special.kind = "neimark-sacker";
+            break;
+        default:
+            special.last = special.first;
+            break;
+    }
+    return branch;
+}
+
+void expect_special_refused(unsigned count) {
+    std::mt19937 draw(11);
+    for (const auto& [low, high] : {std::pair(0.4, 0.42), std::pair(0.39, 0.6)}) {
+        const BranchClaim claim = hexagon_claim(1, Parameter::alpha, low, high);
+        const BranchProof p = prove_branch(claim, go_on);
+        StatedBranch whole = stated_branch(claim, p);
+        ASSERT_FALSE(whole.special.empty());
+        // The boxes beside the points, so that each edit costs little.
+        std::vector<proof_check::StatedSpecial> one{whole.special.front()};
+        const std::size_t first = one[0].first - 1, last = one[0].last + 1;
+        whole.boxes = {whole.boxes.begin() + static_cast<std::ptrdiff_t>(first),
+                       whole.boxes.begin() + static_cast<std::ptrdiff_t>(last)};
+        one[0].last -= first;
+        one[0].first = 1;
+        whole.special = one;
+        whole.from = whole.to = 0.5 * (one[0].low + one[0].high);
+        ASSERT_EQ(what_fails(whole), "");
+        for (unsigned i = 0; i < count; ++i)
+            EXPECT_NE(what_fails(with_false_special(whole, i, draw)), "") << one[0].kind << ", edit " << i;
+    }
+}
+
+TEST(ProvenBranch, OfWhichASpecialPointIsMadeFalseIsRefused) {
+    expect_special_refused(12);
+}
+
+TEST(ProvenBranchNightly, OfWhichASpecialPointIsMadeFalseInManyWaysIsRefused) {
+    expect_special_refused(500);
+}
+
 TEST(ProvenBranch, RefusesAClaimThatIsNoCycle) {
     BranchClaim claim = hexagon_claim(1, Parameter::alpha, 0.39, 0.41);
     claim.cycle.points[0].spin += 1e-2;
@@ -158,6 +255,21 @@ TEST(ProvenBranch, RefusesFamilies) {
     disk.sides = disk_sides;
     EXPECT_THROW(proof::require_isolated_branch(disk, Parameter::restitution, 0.9, 1), std::invalid_argument);
     EXPECT_NO_THROW(proof::require_isolated_branch(hexagon(), Parameter::alpha, 0.1, 0.9));
+}
+
+/// Beyond e = 1 the equations have solutions, too, but there is no scene.
+TEST(ProvenBranch, ThatLeavesTheParametersRangeIsRefused) {
+    const auto cases = proof_cases("cycles.json");
+    const BranchClaim claim{cases[6].scene, cases[6].claim, Parameter::restitution, 0.9929, 1};
+    const BranchProof p = prove_branch(claim, go_on);
+    ASSERT_TRUE(p.proven()) << p.reason;
+    ASSERT_EQ(p.to, 1);
+    StatedBranch branch = stated_branch(claim, p);
+    ASSERT_EQ(what_fails(branch), "");
+    for (auto& box : branch.boxes)
+        if (box.running + 1 == box.middle.size() && box.high > 1) box.high += 1e-3 * (box.high - box.low);
+    const std::string failed = what_fails(branch);
+    EXPECT_NE(failed.find("leaves the range"), std::string::npos) << failed;
 }
 
 /// One thing is made false: every edit is beyond the 1 % by which a stated box is wider than the proof's.

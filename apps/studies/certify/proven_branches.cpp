@@ -1,6 +1,9 @@
 #include "apps/studies/certify/proven_branches.hpp"
 
+#include "analysis/cycles/cycle.hpp"
 #include "apps/studies/parallel/pieces.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 #include "map/derivative/parameter.hpp"
 
 #include <algorithm>
@@ -17,28 +20,6 @@ namespace swirl::studies::certify {
 namespace {
 
 using proof::BranchBox;
-
-/// Boxes first … last − 1, of which the stability is not decided, between two of which it is.
-std::optional<ProvenChange> change_over(const std::vector<BranchBox>& boxes, std::size_t first, std::size_t last) {
-    const BranchBox &before = boxes[first - 1], &after = boxes[last];
-    ProvenChange change{"", before.outside, after.outside, before.parameter_end, before.parameter_end};
-    const std::size_t parameter = before.middle.size() - 1;
-    bool regular = true;  // with the parameter as the running unknown no multiplier is 1
-    for (std::size_t i = first; i < last; ++i) {
-        change.low = std::min(change.low, boxes[i].parameter_low);
-        change.high = std::max(change.high, boxes[i].parameter_high);
-        regular = regular && boxes[i].running == parameter;
-    }
-    const int crossed = std::abs(change.outside_after - change.outside_before);
-    const double into = before.parameter_end - before.parameter_begin,
-                 out = after.parameter_end - after.parameter_begin;
-    if (crossed == 0) return std::nullopt;
-    change.kind = crossed == 1 && !regular && into * out < 0 ? "fold"
-                  : crossed == 1 && regular                  ? "flip"
-                  : crossed == 2 && regular                  ? "neimark-sacker"
-                                                             : "change";
-    return change;
-}
 
 std::array<double, 5> coordinates(const SectionPoint<double>& z) {
     return {z.psi, z.chi, z.vn, z.vt, z.spin};
@@ -91,6 +72,31 @@ double distance(const CyclePlace& a, const CyclePlace& b, Parameter parameter, d
     return std::sqrt(sum);
 }
 
+bool is_same_word(const std::vector<proof::Branch>& a, const std::vector<proof::Branch>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const proof::Branch& x, const proof::Branch& y) {
+        return x.vertex_step == y.vertex_step && x.mode == y.mode;
+    });
+}
+
+/// What the map says of a recorded cycle.
+struct Judged {
+    std::vector<proof::Branch> word;  ///< empty: it is none that a branch is proven of
+    int outside = 0;                  ///< multipliers, by double arithmetic
+};
+
+Judged judged(const CyclePlace& place) {
+    Judged result{candidate_at(place).claim.itinerary, 0};
+    const analysis::ShootingMap map = shooting_map_of(place.scene);
+    Eigen::MatrixXd product = Eigen::MatrixXd::Identity(map.dimension, map.dimension);
+    for (const SectionPoint<double>& z : place.points) {
+        const analysis::ShootingStep step = map.step(coordinates_of(z, place.scene.is_disk()), 0);
+        if (!step.alive) return {};
+        product = step.by_state * product;
+    }
+    result.outside = analysis::index_of(analysis::sorted_multipliers(product));
+    return result;
+}
+
 /// What one branch of a record gave.
 struct Cover {
     RecordedBranch recorded;
@@ -99,6 +105,8 @@ struct Cover {
 
 Cover cover_branch(RecordedBranch recorded, const ParameterRange& along, const std::function<bool()>& stop) {
     const std::size_t count = recorded.places.size();
+    std::vector<Judged> known;
+    for (const CyclePlace& place : recorded.places) known.push_back(judged(place));
     std::vector<bool> tried(count, false), covered(count, false), together(count, false);
     Cover cover;
     // From the middle of the longest stretch that is open: its ends are where cycles end.
@@ -118,9 +126,11 @@ Cover cover_branch(RecordedBranch recorded, const ParameterRange& along, const s
         CertifiedBranch branch = proven_branch_at(recorded.places[best], along, stop);
         std::vector<bool> on(count, false);
         for (std::size_t i = 0; i < count; ++i)
-            on[i] = std::any_of(branch.proof.boxes.begin(), branch.proof.boxes.end(), [&](const BranchBox& box) {
-                return lies_in(box, recorded.places[i], *along.parameter);
-            });
+            on[i] = is_same_word(known[i].word, branch.proof.itinerary) &&
+                    std::any_of(branch.proof.boxes.begin(), branch.proof.boxes.end(), [&](const BranchBox& box) {
+                        return (!box.decided || box.outside == known[i].outside) &&
+                               lies_in(box, recorded.places[i], *along.parameter);
+                    });
         for (std::size_t i = 0; i < count; ++i) {
             covered[i] = covered[i] || on[i];
             if (i + 1 < count && on[i] && on[i + 1]) together[i] = true;
@@ -140,12 +150,8 @@ Cover cover_branch(RecordedBranch recorded, const ParameterRange& along, const s
 /// The cycle that it was followed from lies on one of the others, with the same word.
 bool is_known(const std::vector<CertifiedBranch>& others, const CertifiedBranch& branch, const CyclePlace& place,
               Parameter parameter) {
-    const auto same = [](const proof::Branch& a, const proof::Branch& b) {
-        return a.vertex_step == b.vertex_step && a.mode == b.mode && a.slip == b.slip;
-    };
     return std::any_of(others.begin(), others.end(), [&](const CertifiedBranch& other) {
-        const auto &a = other.proof.itinerary, &b = branch.proof.itinerary;
-        return std::equal(a.begin(), a.end(), b.begin(), b.end(), same) &&
+        return is_same_word(other.proof.itinerary, branch.proof.itinerary) &&
                std::any_of(other.proof.boxes.begin(), other.proof.boxes.end(),
                            [&](const BranchBox& box) { return lies_in(box, place, parameter); });
     });
@@ -164,20 +170,6 @@ std::vector<StabilitySpan> CertifiedBranch::spans() const {
         spans.back().length += box.length;
     }
     return spans;
-}
-
-std::vector<ProvenChange> CertifiedBranch::changes() const {
-    std::vector<ProvenChange> changes;
-    const auto& boxes = proof.boxes;
-    for (std::size_t i = 1; i < boxes.size(); ++i) {
-        if (boxes[i].decided || !boxes[i - 1].decided) continue;
-        std::size_t last = i;
-        while (last < boxes.size() && !boxes[last].decided) ++last;
-        if (last == boxes.size()) break;
-        if (const auto change = change_over(boxes, i, last)) changes.push_back(*change);
-        i = last;
-    }
-    return changes;
 }
 
 double CertifiedBranch::length() const {

@@ -21,15 +21,6 @@ struct StabilitySpan {
     double length = 0;          ///< as proof::BranchBox::length
 };
 
-/// A change of the number of multipliers outside the unit circle that is proven to happen between two parameters.
-struct ProvenChange {
-    /// fold: the parameter turns, so that a multiplier is 1. flip: one crosses where none is 1, so that it is −1.
-    /// neimark-sacker: two cross where none is 1 (a complex pair, or two at −1 within the same box).
-    std::string kind;
-    int outside_before = 0, outside_after = 0;
-    double low = 0, high = 0;  ///< of the parameter
-};
-
 struct CertifiedBranch {
     std::size_t number = 1;  ///< of the cycle that it was followed from, in its record or of those that were found
     Scene<double> scene;     ///< of that cycle
@@ -37,7 +28,6 @@ struct CertifiedBranch {
     proof::BranchProof proof;
 
     std::vector<StabilitySpan> spans() const;
-    std::vector<ProvenChange> changes() const;
     double length() const;
     /// The share of its length on which the stability is proven, too.
     double decided_share() const;
@@ -72,7 +62,9 @@ CertifiedBranch proven_branch_at(const CyclePlace& place, const ParameterRange& 
 std::vector<CertifiedBranch> prove_branches(std::vector<CyclePlace> places, const ParameterRange& along,
                                             const RunControl& control = {});
 
-/// Covers the branches of a record by proven ones, from one of their cycles after another that none covers yet.
+/// Covers the branches of a record by proven ones, from one of their cycles after another that none covers yet. A cycle
+/// is covered where it lies in a box of a branch with its word and, where that is decided, its number of multipliers
+/// outside the unit circle, as double arithmetic has it.
 ProvenBranches cover_branches(const Scene<double>& scene, std::vector<RecordedBranch> recorded,
                               const ParameterRange& along, const RunControl& control = {});
 

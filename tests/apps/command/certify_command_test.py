@@ -131,10 +131,10 @@ class Certify(InFolder):
     def test_what_is_said_of_a_branch_is_what_its_boxes_say(self):
         file = self.certificate(f"{HEXAGON} {STABLE} --along alpha=0.4:0.42")
         whole = json.loads(file.read_text())
-        self.assertEqual([one["kind"] for one in whole["branches"][0]["special"]], ["neimark-sacker"])
+        self.assertEqual([(one["kind"], one["proven"]) for one in whole["branches"][0]["special"]], [("neimark-sacker", True)])
         branch, place = ["branches", 0], ["branches", 0, "special", 0]
         for path, value in (([*branch, "stability", 0, "stability"], "saddle"), ([*branch, "stability"], []), ([*place, "kind"], "flip"),
-                            ([*place, "kind"], "fold"), ([*place, "box"], {"alpha": [0.41, 0.412]}), ([*place, "box"], {}), ([*place, "outside_before"], 2),
+                            ([*place, "kind"], "fold"), ([*place, "box"], {}), ([*place, "outside_before"], 2),
                             ([*place, "outside_after"], 0), ([*branch, "special"], []), (["boxes"], whole["boxes"] + 1)):
             edited = json.loads(file.read_text())
             inner = edited
@@ -144,6 +144,11 @@ class Certify(InFolder):
             (self.folder / "edited.json").write_text(with_new_checksum(json.dumps(edited, indent=2)))
             result = run(f"certify --check {self.folder / 'edited.json'}")
             self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (path, value, result.stderr))
+        # What only the equations tell.
+        for key, value in (("box", {"alpha": [0.41, 0.412]}), ("within", 1e-19), ("angle", [0.1, 0.2]), ("middle", [0.1] * 7)):
+            edited = json.loads(file.read_text())
+            edited["branches"][0]["special"][0][key] = value
+            self.refused(with_new_checksum(json.dumps(edited, indent=2)), (3,))
         (self.folder / "edited.json").write_text(with_new_checksum(json.dumps(whole, indent=2)))
         self.assertEqual(run(f"certify --check {self.folder / 'edited.json'}").returncode, 0)
 

@@ -78,8 +78,9 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     return along;
 }
 
-std::vector<std::string> parameters_to_offer(bool families) {
+std::vector<std::string> parameters_to_offer(bool families, bool drag) {
     std::vector<std::string> words = {"alpha=", "beta=", "mu=", "restitution=", "inertia-factor="};
+    if (drag) words.emplace_back("drag=");
     if (families) words.insert(words.end(), {"S=", "tau="});
     return words;
 }

@@ -19,6 +19,7 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
                                     const std::string& flag = "along");
 
 /// "alpha=", ...: with what such a range begins. `families` as above.
-std::vector<std::string> parameters_to_offer(bool families = false);
+///   drag  of a command that follows a floor that drags
+std::vector<std::string> parameters_to_offer(bool families = false, bool drag = false);
 
 }  // namespace swirl::apps

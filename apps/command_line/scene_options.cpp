@@ -115,6 +115,12 @@ ParsedFile parsed(const std::string& file) {
     }
 }
 
+/// The key with - for _, as documents and records write it, where that is one.
+std::string meant(std::string name, bool (*is_known)(const std::string&)) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return is_known(name) ? fmt::format("; did you mean {}?", name) : "";
+}
+
 /// All mass on the circle of the vertices has kappa = 1; what is no number is refused elsewhere.
 void note_inertia(const std::string& factor) {
     if (std::strtod(factor.c_str(), nullptr) > 1)
@@ -146,6 +152,12 @@ Floor floor_from(const std::string& text) {
     for (const Floor floor : {Floor::dish, Floor::table})
         if (text == name_of(floor)) return floor;
     throw BadInput(fmt::format("floor = {} is none of: dish, table", text));
+}
+
+void SceneOptions::require_drag_of_floor() const {
+    if (!floor_is_asked_ || has("drag") || has("spin-drag")) return;
+    throw BadInput(
+        fmt::format("floor = {} acts by its drag alone: --drag G is wanted, 0 or 1e-75 to 1000", values_.at("floor")));
 }
 
 void SceneOptions::refuse_drag() const {
@@ -184,7 +196,8 @@ void SceneOptions::read_file(bool quiet) {
             for (const auto& [key, node] : *table) {
                 const std::string name(key.str());
                 if (!is_known(name))
-                    throw BadInput(fmt::format("scene file '{}': unknown key '{}' under [{}]", file_, name, part));
+                    throw BadInput(fmt::format("scene file '{}': unknown key '{}' under [{}]{}", file_, name, part,
+                                               meant(name, is_known)));
                 values[name] = parsed_file.text_of(name, node);
             }
         };
@@ -197,6 +210,7 @@ void SceneOptions::read_file(bool quiet) {
         if (flags_.count(other) != 0 && flags_.count(flag) == 0) values_.erase(flag);
     }
     for (const auto& [name, text] : flags_) values_[name] = text;
+    floor_is_asked_ = has("floor");
     if (!quiet) note_inertia(text("inertia-factor", ""));
 }
 

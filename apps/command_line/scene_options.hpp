@@ -69,6 +69,8 @@ private:
     T ratio(const std::string& name, const std::string& length) const;
     template <class T>
     T positive(const std::string& name) const;
+    /// @throws BadInput: a floor that was asked for without drag, which would be ignored
+    void require_drag_of_floor() const;
     /// @throws BadInput: a command that does not follow drag
     [[noreturn]] void refuse_drag() const;
 
@@ -76,6 +78,7 @@ private:
     std::map<std::string, std::string> start_;
     std::map<std::string, std::string> flags_;
     std::string file_;
+    bool floor_is_asked_ = false;  ///< by a flag or the file
 };
 
 /// "disk" or the number. @throws BadInput
@@ -116,6 +119,7 @@ Scene<T> SceneOptions::scene(OverFloor over) const {
         if (scene.spin_drag < T(0)) detail::out_of_range("spin-drag", scene.spin_drag, "0, or 1e-75 to 1000");
     }
     if (has("floor")) scene.floor = floor_from(values_.at("floor"));
+    require_drag_of_floor();
     if (over == OverFloor::refused && scene.has_drag()) refuse_drag();
     if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides)) return validated(scene);
     scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))

@@ -51,6 +51,7 @@ Beginning of_attractor(ContinueOptions& options) {
 
 Beginning beginning_of(ContinueOptions& options) {
     require_one_way(options);
+    if (options.along.starts_with("drag=") && !options.scene.has("drag")) options.scene.set("drag", "0");
     if (!options.record.empty()) return of_record(options);
     if (options.from == from_attractor) return of_attractor(options);
     const auto scene = options.scene.scene<double>(OverFloor::followed);

@@ -61,8 +61,8 @@ void ContinueOptions::add_to(Flags& command) {
         ->offer({"attractor"});
     command
         .add_option("--along", along, "",
-                    "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
-        ->offer(parameters_to_offer(true));
+                    "NAME=A:B: alpha, beta, mu, restitution, inertia-factor, drag; S or tau for a family")
+        ->offer(parameters_to_offer(true, true));
     add_whole_number(command, "--period", its_period, "K", 1, 256, "of the cycle near that point (default 1)");
     add_whole_number(command, "--switch", switches, "DEPTH", 0, 16,
                      "how many flips and branch points to switch at one after another (default 1)");

@@ -169,7 +169,7 @@ std::string word_at(const GridAxis& axis, double point) {
 }
 
 const char* const axis_names =
-    "alpha, beta, mu, restitution, inertia-factor, sides, law, speed, x, y, vx, vy, angle, spin";
+    "alpha, beta, mu, restitution, inertia-factor, sides, drag, spin-drag, law, speed, x, y, vx, vy, angle, spin";
 
 bool is_axis_name(const std::string& name) {
     return is_among(scene_axes, name) || is_among(start_numbers, name) || name == start_speed || name == "law";

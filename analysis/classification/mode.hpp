@@ -28,7 +28,8 @@ enum class Kind {
     chaotic,              ///< a positive largest exponent
     transient,            ///< still changing: its size, or what it does
     accelerated,          ///< its energy grows without end
-    chord                 ///< on a winding no-slip chord, or on the way along it, to a limit of S
+    chord,                ///< on a winding no-slip chord, or on the way along it, to a limit of S
+    riding                ///< off the wall for ever: it goes along with a floor that drags
 };
 
 inline std::string_view name_of(Mode mode) {
@@ -53,7 +54,8 @@ inline std::string_view name_of(Kind kind) {
                           {chaotic, "chaotic"},
                           {transient, "transient"},
                           {accelerated, "accelerated"},
-                          {chord, "chord"}},
+                          {chord, "chord"},
+                          {riding, "riding"}},
                          kind);
 }
 

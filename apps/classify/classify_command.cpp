@@ -39,8 +39,9 @@ was found and why, one what would change it; --verbose lists all evidence. The k
   chord                friction at e = 1 drives it along a chord without slip, up to a limit of S
                        (map/chords/README.md)
   chaotic              the largest Lyapunov exponent is positive
+  riding               steady, off the wall for ever: a floor that drags takes the body along, S = 0
   transient            undecided: the orbit is still settling
-An orbit without any contact is undecided.
+An orbit without any contact is undecided, unless it rides.
 
 An orbit is followed until nothing can change its verdict (an attracting cycle), at most through --transient and
 --collisions; --exhaustive follows all of these impacts.
@@ -59,7 +60,8 @@ below a risk of 0.91.
 Examples:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
   swirl classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 16
-  swirl classify --sides 6 --alpha 0.15 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 400 --risk 0.05)";
+  swirl classify --sides 6 --alpha 0.15 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 400 --risk 0.05
+  swirl classify --sides 6 --alpha 0.3 --beta 0.2 --mu 0.5 --restitution 0.9 --drag 0.2)";
 
 void ClassifyCommandOptions::add_to(Flags& command) {
     scene.add_to(command);

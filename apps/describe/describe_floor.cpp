@@ -18,17 +18,21 @@ struct DescribedFloor {
     Scene<double> scene;
     SceneFacts facts;
     FloorFacts floor;
+    std::optional<Units> units;
 };
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();  // null in JSON
 
 std::string riding_in_words(const DescribedFloor& d) {
     const double room = d.floor.riding_room, radius = d.floor.riding_radius;
-    if (room < 0) return fmt::format("none that turns freely: 1 - alpha - {:.6g} = {:.6g}", radius, room);
+    if (d.scene.drag == 0) return "none comes to ride: gamma = 0 leaves its velocity as it is";
+    if (!d.floor.rides) return fmt::format("none: it would reach {:.6g} R_c beyond the wall", -room);
+    const auto length = [&](double r) { return with_unit(r, d.units, "R_c") + (d.units ? "" : " R_c"); };
+    const std::string spin = d.scene.turning_drag() > 0 ? "S = 0" : "S as it was";
     if (d.scene.floor == Floor::table)
-        return fmt::format("rests on the table, S = 0, up to {:.6g} R_c from the swirl's centre", room);
-    return fmt::format("rides on a circle of {:.6g} R_c, S = 0, its centre up to {:.6g} R_c from the dish's", radius,
-                       room);
+        return fmt::format("rests on the table, {}, up to {} from the swirl's centre", spin, length(room));
+    return fmt::format("rides on a circle of {}, {}, whose centre is up to {} from the dish's", length(radius), spin,
+                       length(room));
 }
 
 std::string locking_in_words(const DescribedFloor& d) {
@@ -54,6 +58,7 @@ Table<DescribedFloor> floor_table() {
               "of the circle of a body that meets the wall no more"},
              {"riding_room", [](const DescribedFloor& d) { return d.floor.riding_room; }, "R_c",
               "distance of that circle's centre up to which it touches nothing"},
+             {"rides", [](const DescribedFloor& d) { return d.floor.rides; }, "1", "is there a body that rides?"},
              F{"riding", riding_in_words, no_column}.table_only().shown("a body without impacts", "{}"),
              {"locking_ratio", ratio, "1", "of a rolling disk's drag to the swirl's most: locked up to 1"},
              {"rolls_locked", rolls, "1", "does a disk roll locked to the swirl?"},
@@ -67,7 +72,7 @@ Table<DescribedFloor> floor_table() {
 }  // namespace
 
 int describe_floor(const DescribeOptions& options, const Scene<double>& scene, std::optional<RecordWriter>& record) {
-    const DescribedFloor d{scene, scene_facts(scene), floor_facts(scene)};
+    const DescribedFloor d{scene, scene_facts(scene), floor_facts(scene), options.scene.units()};
     const Settings settings = {{"accuracy", options.output.accuracy_name}};
     if (record) {
         write_scene(record->root(), scene);

@@ -113,6 +113,9 @@ std::string sureness_in_words(const Classification& verdict, const std::optional
                            verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
                            with_unit(contact->value, units, "1/omega_s"), units ? "" : "/omega_s");
     if (verdict.kind == Kind::sliding) return "settled: nothing changes S";
+    if (const Evidence* room = evidence_of(verdict, "room at the wall"); room != nullptr)
+        return fmt::format("settled: rides along with the floor, {}{} off the wall at its nearest",
+                           with_unit(room->value, units, "R_c"), units ? "" : " R_c");
     if (const Evidence* level = evidence_of(verdict, "white level of the angle in radians"); level != nullptr)
         return fmt::format("as far as it was measured: noise of {:.3g} radians or less in the angle", level->value);
     if (const Evidence* residual = evidence_of(verdict, "residual about the phase means");

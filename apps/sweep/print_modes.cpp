@@ -32,10 +32,16 @@ std::size_t most_shared(const CellSummary& cell) {
     return static_cast<std::size_t>(std::max_element(cell.shares.begin(), cell.shares.end()) - cell.shares.begin());
 }
 
-/// The mode that most runs of a cell have; a capital letter if all have it.
-char letter_of(const CellSummary& cell) {
-    constexpr std::string_view all = "SQC?", some = "sqc-";
+/// The mode that most runs of a cell have, apart of what rides and what else is steady; a capital letter if all have
+/// it.
+char letter_of(std::span<const RunResult> runs) {
+    CellSummary cell = summary_of(runs);
+    const auto riding = static_cast<double>(std::count_if(runs.begin(), runs.end(), is_riding));
+    const double rides = runs.empty() ? 0 : riding / static_cast<double>(runs.size());
+    cell.shares[0] -= rides;
     const std::size_t most = most_shared(cell);
+    if (rides > cell.shares[most]) return rides == 1 ? 'R' : 'r';
+    constexpr std::string_view all = "SQC?", some = "sqc-";
     return cell.shares[most] == 1 ? all[most] : some[most];
 }
 
@@ -158,7 +164,7 @@ public:
         for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
             std::string line = fmt::format("{:>{}} |", label_at(sweep_, upwards_, *row), margin_);
             for (const std::size_t column : columns_)
-                line += fmt::format("{:>{}}", letter_of(summary_of(sweep_.cell(cell_at(column, *row)))), width_);
+                line += fmt::format("{:>{}}", letter_of(sweep_.cell(cell_at(column, *row))), width_);
             fmt::print("{}\n", line);
         }
         print_labels();
@@ -224,7 +230,9 @@ std::vector<std::size_t> drawn_axes(const std::vector<GridAxis>& grid) {
 void print_maps(const Sweep& sweep, std::vector<std::size_t> axes) {
     std::vector<std::size_t> places;  // of what is not drawn: the middle one
     for (const GridAxis& axis : sweep.grid) places.push_back(rising(axis)[axis.points.size() / 2]);
-    fmt::print("S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n");
+    const bool rides = std::any_of(sweep.results.begin(), sweep.results.end(), is_riding);
+    fmt::print("S steady, Q quasi-steady, C chaotic, ? undecided{}; small: not every run\n",
+               rides ? ", R riding (steady, off the wall)" : "");
     for (std::size_t k = 0; k < sweep.grid.size(); ++k)
         if (sweep.grid[k].points.size() > 1 && std::find(axes.begin(), axes.end(), k) == axes.end())
             fmt::print("{} = {}, one of {} values\n", name_with_unit(sweep, k), label_at(sweep, k, places[k]),

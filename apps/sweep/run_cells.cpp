@@ -46,7 +46,7 @@ std::vector<RunColumn> run_columns() {
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     return {
         {"run_mode", &RunResult::mode, "", "mode", names, modes},
-        {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::chord)},
+        {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::riding)},
         {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_with_drag)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "1", "time mean of S"},
@@ -85,15 +85,21 @@ std::vector<std::string> outcome_names(std::span<const RunResult> results) {
     return names_up_to(over_floor ? Outcome::contact_with_drag : Outcome::unresolved);
 }
 
+std::vector<std::string> kind_names(std::span<const RunResult> results) {
+    const bool rides = std::any_of(results.begin(), results.end(), is_riding);
+    return names_up_to(rides ? analysis::Kind::riding : analysis::Kind::chord);
+}
+
 void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,
                        std::span<const RunResult> results) {
     for (const auto& column : run_columns())
         in_type_of(column, [&]<class T>() {
             std::vector<T> values;
             for (const auto& result : results) values.push_back(static_cast<T>(result.*column.member));
-            const bool of_outcomes = column.member == &RunResult::outcome;
-            group.write<T>(column.name, axes, values,
-                           {column.units, column.long_name, of_outcomes ? outcome_names(results) : column.meanings});
+            const auto meanings = column.member == &RunResult::outcome ? outcome_names(results)
+                                  : column.member == &RunResult::kind  ? kind_names(results)
+                                                                       : column.meanings;
+            group.write<T>(column.name, axes, values, {column.units, column.long_name, meanings});
         });
 }
 

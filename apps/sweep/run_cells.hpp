@@ -24,6 +24,8 @@ using namespace studies::grids;
 
 /// How runs may end, by the enumerators' numbers: those of a floor that drags where one of the runs has them.
 std::vector<std::string> outcome_names(std::span<const RunResult> results);
+/// The kinds likewise, with `riding` where one of the runs rides.
+std::vector<std::string> kind_names(std::span<const RunResult> results);
 
 /// The columns run_mode, run_kind, … along `axes`, the last of which is the run.
 void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,

@@ -247,7 +247,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     const RecordGroup root = record.root();
     const RecordGroup settings = root.group("settings");
     write_attributes(settings, sweep.settings);
-    settings.attribute("kinds", names_up_to(analysis::Kind::chord));
+    settings.attribute("kinds", kind_names(sweep.results));
     settings.attribute("outcomes", outcome_names(sweep.results));
     const RecordGroup group = root.group("sweep");
     std::vector<std::string> axes;

@@ -12,6 +12,7 @@ FloorFacts floor_facts(const Scene<double>& scene) {
     const double drag = scene.drag, rho = 1 - scene.alpha, kappa = scene.inertia_factor;
     facts.riding_radius = table ? scene.beta : scene.beta / std::hypot(1, drag);
     facts.riding_room = rho - facts.riding_radius;
+    facts.rides = drag > 0 && facts.riding_room > 0;
     if (!scene.is_disk() || scene.mu == 0) return facts;
     const double tilt = table ? drag : 0;
     const double held = (drag + kappa * scene.turning_drag()) * rho, drive = scene.beta * std::hypot(1, tilt);

@@ -27,6 +27,7 @@ struct FloorFacts {
     /// 1 − α − `riding_radius`: |Q| up to which a body does so without contact, whatever its orientation; < 0: none
     /// does (a polygon may have somewhat more room).
     double riding_room = 0;
+    bool rides = false;  ///< some body does: γ > 0 and room for it, of a polygon as of a disk (README.md, "Flight")
     /// Of a disk with friction: (γ + κγ_r)ρ/(β√(1 + γ²[table])), which must be ≤ 1; infinite without swirl.
     std::optional<double> locking_ratio;
     std::optional<LockedRolling> locked;  ///< if it is

@@ -7,6 +7,7 @@ from matplotlib.ticker import MaxNLocator
 from .legends import LegendBelow
 from .look import is_narrow, widen
 from .record import RecordError
+from .riding import shown_modes
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, number, scene_title
 
@@ -46,7 +47,7 @@ def _interval(share, runs):
 
 
 def _draw_bars(axes, record, count, runs):
-    share, mode = record.column("attractors", "share"), record.names("attractors", "mode")
+    share, mode = record.column("attractors", "share"), shown_modes(record, "attractors")
     colours = [MODE_COLOURS.get(name, "0.5") for name in mode[:count]]
     axes.barh(range(count), share[:count], color=colours, ec="0.3", lw=0.5, height=0.7,
               xerr=_interval(share[:count], runs), error_kw={"elinewidth": 0.9, "capsize": 2})
@@ -56,7 +57,7 @@ def _draw_bars(axes, record, count, runs):
 
 
 def _draw_runs(axes, record):
-    mean, mode = record.column("runs", "mean_S"), record.names("runs", "mode")
+    mean, mode = record.column("runs", "mean_S"), shown_modes(record, "runs")
     for name, colour in MODE_COLOURS.items():
         of = mode == name
         axes.plot(numpy.flatnonzero(of) + 1, mean[of], "o", ms=4, color=colour, mec="0.3", mew=0.4)
@@ -75,7 +76,7 @@ def draw_into(figure, record, look):
     bars, dots = parts.above.subplots(*((2, 1) if narrow else (1, 2)))
     _draw_bars(bars, record, _attractors(record), runs)
     _draw_runs(dots, record)
-    present = [name for name in MODE_COLOURS if name in record.names("runs", "mode")]
+    present = [name for name in MODE_COLOURS if name in shown_modes(record, "runs")]
     parts.fill([Patch(fc=MODE_COLOURS[name], ec="0.3", lw=0.5, label=name) for name in present], look)
     look.title(figure, f"{scene_title(record.scene())}\n{runs:,} random starts")
     return [dots]

@@ -13,8 +13,8 @@ PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#222222", "
 #: For what is told apart by colour alone, the most different first.
 CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, "#7A5C00", "#332288", "#882255", "#44AA99", "#999933")
 
-#: In grey, too, they are apart: lightness L* of 26, 90, 54, 76.
-MODE_COLOURS = {"steady": "#00406B", "quasi-steady": YELLOW, "chaotic": VERMILION, "undecided": "#BDBDBD"}
+#: In grey, too, they are apart: lightness L* of 26, 40, 90, 54, 76.
+MODE_COLOURS = {"steady": "#00406B", "riding": "#6A51A3", "quasi-steady": YELLOW, "chaotic": VERMILION, "undecided": "#BDBDBD"}
 
 #: Of pixels, also of images within vector files.
 DOTS_PER_INCH = 160

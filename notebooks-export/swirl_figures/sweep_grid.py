@@ -4,6 +4,7 @@ import numpy
 from matplotlib.ticker import MaxNLocator
 
 from .record import Scene, open_record
+from .riding import riding_runs, share_apart
 from .symbols import number, symbol
 
 #: Of a start in the laboratory; a sweep over one of them places every start.
@@ -65,12 +66,16 @@ class SweepGrid:
         self._names = axes
         self._place = numpy.ix_(*(numpy.argsort(points[name]) for name in axes))
         self._rest = tuple(i for i, name in enumerate(axes) if name not in self.axes)
-        self.share = self.sorted(record, "share", "mode")
+        share, rides = self.sorted(record, "share", "mode"), riding_runs(record, [*axes, "run"])
+        self.modes, self.share = share_apart(self.modes, share, None if rides is None else self._along(rides))
         self.mean_spin, self.mean_spin_error = self.sorted(record, "mean_S"), self.sorted(record, "mean_S_error")
 
     def sorted(self, record, name, *more):
         """A column along the axes, and then along further dimensions."""
-        return record.column("sweep", name, [*self._names, *more])[self._place].squeeze(axis=self._rest)
+        return self._along(record.column("sweep", name, [*self._names, *more]))
+
+    def _along(self, values):
+        return values[self._place].squeeze(axis=self._rest)
 
     @property
     def largest_mode(self):

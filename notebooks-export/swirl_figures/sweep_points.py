@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from .legends import LegendBelow
 from .look import side_by_side, width_of
 from .mode_map import mode_style, spin_style
+from .riding import riding_runs, share_apart
 from .style import MODE_COLOURS
 from .sweep_grid import logarithmic_axes, mark_values, starts_in_words
 from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
@@ -100,8 +101,8 @@ def _draw_panel(axes, record, panel, modes, place):
 
 
 def draw_into(figure, record, look):
-    share = record.column("sweep", "share", ["cell", "mode"])
-    modes = list(record.names("sweep", "mode"))
+    modes, share = share_apart(list(record.names("sweep", "mode")), record.column("sweep", "share", ["cell", "mode"]),
+                               riding_runs(record, ["cell", "run"]))
     place = share.argmax(axis=1)
     names = _parameters(record)
     look.title(figure, f"{scene_title(_scene(record), leave_out=names)}\n{len(place):,} points, "

@@ -9,6 +9,7 @@ from matplotlib.patches import Rectangle
 
 from . import verdict_panels
 from .look import rows_of, side_by_side, width_of
+from .riding import RIDING
 from .style import BLACK, MODE_COLOURS
 from .symbols import number, scene_title, with_error
 
@@ -91,7 +92,8 @@ def _headline(record):
 def _write_evidence(figure, record):
     axes = figure.subplots()
     axes.axis("off")
-    mode = str(record.attributes("mode")["mode"])
+    attributes = record.attributes("mode")
+    mode = str(attributes["kind" if str(attributes.get("kind", "")) == RIDING else "mode"])
     axes.add_patch(Rectangle((0, 0), 0.006, 1, transform=axes.transAxes, color=MODE_COLOURS.get(mode, "0.5"), lw=0))
     lines = [("Evidence", True)] + _lines_of(record, _letters_across(width_of(figure)))
     for index, (line, begins) in enumerate(lines):

@@ -43,6 +43,10 @@ inline MeanErrors mean_errors_of(const RunResult& run) {
 inline analysis::Kind kind_of(const RunResult& run) {
     return static_cast<analysis::Kind>(static_cast<int>(run.kind));
 }
+/// Off the wall for ever, on a floor that drags?
+inline bool is_riding(const RunResult& run) {
+    return kind_of(run) == analysis::Kind::riding;
+}
 
 /// What is kept of a run.
 RunResult result_of(const NamedMode& named);

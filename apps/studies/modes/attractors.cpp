@@ -20,6 +20,7 @@ bool has_own_mean(analysis::Kind kind) {
         case Kind::rolling:
         case Kind::sliding:
         case Kind::two_vertex:
+        case Kind::riding:
             return true;
         case Kind::none:
         case Kind::family:

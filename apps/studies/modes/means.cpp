@@ -11,7 +11,8 @@ namespace swirl::studies {
 
 namespace {
 
-/// Is nothing sampled? A cycle's mean is that of one period; what stays on the wall rests, turns evenly or swings.
+/// Is nothing sampled? A cycle's mean is that of one period; what stays on the wall rests, turns
+/// evenly or swings, and what rides turns as it does in the end.
 bool is_exact(analysis::Kind kind) {
     using analysis::Kind;
     switch (kind) {
@@ -24,6 +25,7 @@ bool is_exact(analysis::Kind kind) {
         case Kind::rolling_circulating:
         case Kind::sliding:
         case Kind::two_vertex:
+        case Kind::riding:
             return true;
         default:
             return false;

@@ -5,6 +5,7 @@
 #include "apps/studies/modes/contact_mode.hpp"
 #include "apps/studies/modes/naming.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
+#include "map/dragged/riding.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace swirl::studies {
 
@@ -153,12 +155,28 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
                                     : "a start whose orbit goes on: its impacts give the mode"});
 }
 
+/// A flight without contact over a floor that drags. False where nothing brings it to the floor's velocity.
+bool name_riding(const Scene<double>& scene, const Flight<double>& flight, Outcome outcome,
+                 analysis::Classification& verdict) {
+    if (outcome != Outcome::riding && outcome != Outcome::no_contact) return false;
+    const std::optional<Riding> riding = riding_of(scene, flight);
+    if (!riding) return false;
+    verdict.mode = analysis::Mode::steady;
+    verdict.kind = analysis::Kind::riding;
+    verdict.mean = riding->spin;
+    verdict.evidence = {{"room at the wall", riding->room, 0,
+                         "once the drag has taken what is left of its velocity the body goes along with the floor, and "
+                         "on the way there and after it nothing of it reaches the wall (proven)",
+                         "at most 0: it meets the wall again, and its impacts give the mode"}};
+    return true;
+}
+
 /// An orbit that has no next impact from `last` on.
 template <int D>
-void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, NamedMode& named) {
-    if (ends_in_contact(named.outcome))
-        judge_contact(map, last, named.verdict);
-    else
+void name_end(const SceneMap<D>& map, const Scene<double>& scene, const PostImpactState<double>& last,
+              NamedMode& named) {
+    if (ends_in_contact(named.outcome)) return judge_contact(map, last, named.verdict);
+    if (!name_riding(scene, flight_from(map.body(), last), named.outcome, named.verdict))
         name_ending(named.outcome, named.impacts, named.verdict);
 }
 
@@ -175,7 +193,7 @@ NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const NamingOp
     const auto& [scene, start] = from;
     const analysis::ClassifyOptions settings = settings_for(scene, options.settings);
     const OrbitBegin begin = begin_orbit(map, start);
-    if (begin.outcome != Outcome::completed) return named_without_orbit(begin);
+    if (begin.outcome != Outcome::completed) return named_without_orbit(map.body(), from, begin);
     if (options.look > 0) {
         if (is_for_limits_alone(scene, settings)) return {};
         const StepsToLook steps = steps_to(options.look);
@@ -204,12 +222,17 @@ StepsToLook steps_to(std::int64_t wanted) {
     return {before, look - before};
 }
 
-NamedMode named_without_orbit(const OrbitBegin& begin) {
+NamedMode named_without_orbit(const Body<double>& body, const SceneStart& from, const OrbitBegin& begin) {
     NamedMode named;
     named.outcome = begin.outcome;
     named.impacts = begin.impacts;
     named.verdict.ended = true;
-    name_ending(named.outcome, named.impacts, named.verdict);
+    const auto* start = std::get_if<LabStart<double>>(&from.start);
+    const bool flies = start != nullptr && begin.impacts == 0;
+    if (!flies || !name_riding(from.scene, flight_from(body, *start), named.outcome, named.verdict))
+        name_ending(named.outcome, named.impacts, named.verdict);
+    else
+        named.mean_errors = errors_of_means(named.verdict, {}, {}, {});
     return named;
 }
 
@@ -227,7 +250,7 @@ NamedMode name_from(const SceneMap<D>& map, const Scene<double>& scene, const Or
     named.impacts += named.verdict.steps;
     if (tail.ended) {
         named.outcome = ending_at(map, tail.end, named.impacts);
-        name_end(map, tail.end, named);
+        name_end(map, scene, tail.end, named);
     } else if (dissipative) {
         const bool keeps_spin = scene.is_disk() && scene.mu == 0;
         if (!keeps_spin || !name_fading_disk(range_of_spin<D>(tail), named.verdict)) name_fading_orbit(named.verdict);

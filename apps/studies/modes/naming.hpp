@@ -38,8 +38,8 @@ NamedMode named_at_look(const SceneMap<D>& map, const Scene<double>& scene, cons
                         FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings,
                         OrbitSamples* samples = nullptr);
 
-/// What is said of a start that has no orbit on the section.
-NamedMode named_without_orbit(const OrbitBegin& begin);
+/// What is said of a start that has no orbit on the section: it rides with the floor, or has no mode.
+NamedMode named_without_orbit(const Body<double>& body, const SceneStart& from, const OrbitBegin& begin);
 
 /// What is said of an orbit that was followed.
 template <int D>

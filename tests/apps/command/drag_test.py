@@ -1,9 +1,11 @@
 """--drag, --spin-drag and --floor, from outside: drag_test.py SWIRL. What follows a floor that drags, and what refuses
 it."""
 
+import cmath
 import json
 import math
 import re
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -131,6 +133,97 @@ class Drag(unittest.TestCase):
                         "--collisions 10000", 3)
         self.assertEqual(disk["outcome"], "contact-with-drag")
 
+    def test_a_body_that_rides_is_steady(self):
+        """S = 0, and the room at the wall is that of where the drag leaves the body, from its last impact alone."""
+        beta, gamma, alpha = 0.2, 0.2, 0.3
+        for sides, floor, outcome in (("6", "dish", "riding"), ("disk", "dish", "riding"), ("6", "table", "no-contact"),
+                                      ("disk", "table", "no-contact")):
+            scene = (f"--sides {sides} --alpha {alpha} --beta {beta} --mu 0.5 --restitution 0.9 --drag {gamma} "
+                     f"--floor {floor}")
+            found = document(f"classify {scene}")
+            self.assertEqual([found[key] for key in ("mode", "kind", "outcome", "mean_S", "mean_S_kind")],
+                             ["steady", "riding", outcome, 0, "exact"], scene)
+            last = document(f"simulate {scene} --collisions 1000", 3)["collisions"][-1]
+            response = 1 / complex(1, -gamma) if floor == "dish" else 1
+            normal = cmath.exp(1j * (last["psi"] + last["t"]))
+            chi = last["chi"] or 0
+            arm = alpha * normal * cmath.exp(1j * chi)
+            swirl = beta * cmath.exp(1j * last["t"])
+            velocity = normal * complex(last["vn"], last["vt"])
+            stream = velocity - (gamma * response * swirl if floor == "dish" else 0)
+            place = normal - arm + response * swirl + stream / gamma
+            end = arm * cmath.exp(1j * last["spin"] / gamma)
+            reach = max(abs(place + end * cmath.exp(2j * math.pi * k / 6)) for k in range(6)) if sides == "6" else \
+                abs(place) + alpha
+            evidence = found["evidence"][0]
+            self.assertEqual(evidence["name"], "room at the wall")
+            self.assertAlmostEqual(evidence["value"], 1 - abs(response) * beta - reach, delta=1e-9)
+            self.assertGreater(evidence["value"], 0)
+        spinning = document("classify --sides disk --alpha 0.3 --beta 0.2 --mu 0.5 --restitution 0.9 --drag 0.2 "
+                            "--spin-drag 0")
+        last = document("simulate --sides disk --alpha 0.3 --beta 0.2 --mu 0.5 --restitution 0.9 --drag 0.2 "
+                        "--spin-drag 0 --collisions 1000", 3)["collisions"][-1]
+        self.assertEqual((spinning["kind"], spinning["mean_S"]), ("riding", last["spin"]))
+
+    def test_a_start_that_meets_no_wall_rides(self):
+        found = document("classify --sides 6 --alpha 0.3 --beta 0.4 --mu 0.5 --restitution 0.9 --drag 1 --x 0.4")
+        self.assertEqual((found["kind"], found["impacts"], found["mean_S"]), ("riding", 0, 0))
+        none = document("classify --sides 6 --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1 --floor table "
+                        "--drag 0 --spin-drag 1")
+        self.assertEqual((none["kind"], none["outcome"]), (None, "no-contact"))  # nothing slows its centre
+
+    def test_a_map_has_a_letter_for_riding(self):
+        sweep = f"sweep --sides 6 --alpha 0.3 --mu 0.5 --restitution 0.9 --runs 2 --transient 300 --collisions 300"
+        text = run(f"{sweep} --grid beta=0.1:0.6:2 --grid drag=0.2:0.5:2").stdout
+        self.assertIn("R riding", text)
+        rows = [line.split("|")[1].split() for line in text.splitlines() if "|" in line]
+        self.assertEqual([row[0] for row in rows], ["R", "R"])
+        record = self.folder / "sweep.h5"
+        self.assertEqual(run(f"{sweep} --grid beta=0.1,0.6 --grid spin-drag=0,0.2 --drag 0.2 --quiet -o {record}")
+                         .returncode, 0)
+        with h5py.File(record) as file:
+            self.assertIn("riding", file["sweep/run_kind"].attrs["flag_meanings"].split())
+            self.assertEqual(list(file["sweep/spin_drag"][:]), [0, 0.2])
+        # A figure shows it as a mode of its own: the shares are still of all runs.
+        sys.path.insert(0, str(Path(__file__).parents[3] / "notebooks-export"))
+        from swirl_figures.record import open_record
+        from swirl_figures.sweep_grid import SweepGrid
+        grid = SweepGrid(open_record(record))
+        self.assertEqual(grid.modes, ["steady", "riding", "quasi-steady", "chaotic", "undecided"])
+        self.assertTrue((abs(grid.share.sum(axis=-1) - 1) < 1e-15).all())
+        self.assertEqual(grid.share[0, :, 1].tolist(), [1, 1])
+        plain = self.folder / "plain.h5"
+        self.assertEqual(run(f"{sweep} --grid beta=0.1,0.6 --quiet -o {plain}").returncode, 0)
+        with h5py.File(plain) as file:
+            self.assertNotIn("riding", file["sweep/run_kind"].attrs["flag_meanings"])
+        self.assertNotIn("riding", run(f"{sweep} --grid beta=0.1:0.6:2 --grid mu=0.2:0.5:2").stdout)
+
+    def test_a_floor_without_drag_is_refused(self):
+        for command in ("simulate --collisions 5", "classify", "describe"):
+            name, *more = command.split()
+            result = run(f"{name} {HEXAGON} {' '.join(more)} --floor table")
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+            self.assertIn("floor = table", result.stderr)
+            self.assertIn("--drag", result.stderr)
+        found = document(f"bifurcate {HEXAGON} --floor table --along drag=0:0.1:2 --transient 50 --collisions 100")
+        self.assertEqual(len(found["columns"]), 2)
+
+    def test_a_key_with_an_underscore_is_understood_as_meant(self):
+        file = self.folder / "scene.toml"
+        file.write_text("[scene]\nsides = 6\nalpha = 0.4\nbeta = 0.5\nmu = 0.5\nrestitution = 0.9\ndrag = 0.1\n"
+                        "spin_drag = 0.3\n")
+        result = run(f"simulate --scene {file} --collisions 5")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("unknown key 'spin_drag' under [scene]; did you mean spin-drag?", result.stderr)
+
+    def test_completion_offers_drag_where_it_is_followed(self):
+        script = run("completion bash").stdout
+        offered = {name for name in ("continue --along", "bifurcate --along", "boundaries --plane", "certify --along",
+                                     "sweep --grid")
+                   if any(f"'{name}'" in line and "'drag='" in line for line in script.splitlines())}
+        self.assertEqual(offered, {"continue --along", "bifurcate --along", "sweep --grid"})
+
     def test_describe_says_what_is_known(self):
         floor = document("describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
         ratio = (0.2 + 0.5 * 0.2) * 0.6 / 0.5
@@ -138,6 +231,9 @@ class Drag(unittest.TestCase):
         self.assertTrue(floor["rolls_locked"])
         self.assertAlmostEqual(floor["locked_S"], -1.5, delta=1e-15)
         self.assertAlmostEqual(floor["riding_radius"], 0.5 / math.sqrt(1.04), delta=1e-15)
+        self.assertTrue(floor["rides"])
+        swept = document("describe --sides 6 --alpha 0.4 --beta 0.7 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
+        self.assertFalse(swept["rides"])
         fast = document("describe --sides disk --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
         self.assertFalse(fast["rolls_locked"])
 

@@ -4,6 +4,7 @@ cycles and steady modes."""
 from mpmath import mp, mpc, mpf
 
 import dragged
+import tangential
 from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
 from fixed_points import all_fixed_points, solved
@@ -47,12 +48,17 @@ def growth(state, neighbours):
 
 
 def orbit(entry):
-    """An entry of trajectories.json, or of dragged_trajectories.json."""
+    """An entry of trajectories.json, of dragged_trajectories.json or of tangential_trajectories.json."""
     following, again = next_impact, same_impact
     if "drag" in entry:
         floor = dragged.floor_of(entry)
         following = lambda scene, *rest: dragged.next_impact(scene, floor, *rest)
         again = lambda scene, *rest: dragged.same_impact(scene, floor, *rest)
+    returns = "tangential_restitution" in entry
+    if returns:
+        returned = tangential.returned_of(entry)
+        following = lambda scene, *rest: tangential.next_impact(scene, returned, *rest)
+        again = lambda scene, *rest: tangential.same_impact(scene, returned, *rest)
     scene, start = scene_of(entry), {key: mpf(value) for key, value in entry["initial"].items()}
     state = State(mpf(0), mpc(start["x"], start["y"]), mpc(start["vx"], start["vy"]), start["angle"], start["spin"])
     neighbours, rows, struck = nudged(state), [], None
@@ -64,7 +70,8 @@ def orbit(entry):
                       psi=wrapped(mp.arg(impact.normal) - state.t), normal_impulse=impact.p,
                       tangential_impulse=impact.q)
         row = {key: text(value, ORBIT_DIGITS) for key, value in values.items()}
-        rows.append({**row, "vertex": impact.vertex, "amplification": growth(state, neighbours)})
+        extra = {"slides": bool(tangential.slides(scene, impact))} if returns else {}
+        rows.append({**row, "vertex": impact.vertex, **extra, "amplification": growth(state, neighbours)})
     return {**entry, "collisions": rows}
 
 

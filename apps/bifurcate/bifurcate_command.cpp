@@ -62,7 +62,7 @@ void BifurcateOptions::add_to(Flags& command) {
 DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRange& along) {
     SceneOptions scene = options.scene;
     scene.set(along.name, fmt::format("{:.17g}", along.low));
-    return {scene.scene<double>(OverFloor::followed),
+    return {scene.scene<double>(Extensions::followed),
             along,
             options.settings,
             options.start.speed(),

@@ -178,7 +178,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     }
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
-    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
+    const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.output.accuracy();  // a wrong name is reported before any work
     return classify_one(options, scene, recorded);
 }

@@ -44,7 +44,7 @@ Scene<double> plan(ClassifyCommandOptions& options) {
     options.input.is_series(options.scene, options.start);  // what is for a series alone is refused
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
-    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
+    const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.output.accuracy();  // a wrong name is reported before any work
     check(options);
     return scene;

@@ -50,6 +50,8 @@ Settings scene_settings(const Scene<double>& scene) {
     if (!(scene.spin_drag < 0)) settings.emplace_back("spin_drag", scene.spin_drag);  // else it is as drag
     if (scene.has_drag() || scene.floor != Floor::dish)
         settings.emplace_back("floor", std::string(name_of(scene.floor)));
+    if (scene.tangential_restitution != 0)
+        settings.emplace_back("tangential_restitution", scene.tangential_restitution);
     return settings;
 }
 
@@ -131,8 +133,11 @@ std::string scene_in_words(const Scene<double>& scene) {
     const std::string floor = !scene.has_drag() ? ""
                                                 : fmt::format(", {} with drag {:g}, spin drag {:g}",
                                                               name_of(scene.floor), scene.drag, scene.turning_drag());
-    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}{}", body, scene.alpha, scene.beta,
-                       scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor, floor);
+    const std::string returned =
+        scene.tangential_restitution == 0 ? "" : fmt::format(", e_t {:g}", scene.tangential_restitution);
+    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}{}{}", body, scene.alpha,
+                       scene.beta, scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor, floor,
+                       returned);
 }
 
 }  // namespace swirl::apps

@@ -58,9 +58,12 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     along.parameter = parameter_named(along.name);
     if (!along.parameter && !(families && (along.name == "S" || along.name == "tau")))
         refuse(named, fmt::format("NAME is none of: alpha, beta, mu, restitution, inertia-factor{}{}",
-                                  flag == "plane" ? "" : ", drag", families ? ", and for families S, tau" : ""));
+                                  flag == "plane" ? "" : ", drag, tangential-restitution",
+                                  families ? ", and for families S, tau" : ""));
     if (along.parameter == Parameter::drag && flag == "plane")
         refuse(named, "this command is not extended to a floor that drags");
+    if (along.parameter == Parameter::tangential_restitution && flag == "plane")
+        refuse(named, "this command is not extended to tangential restitution");
     if (is_list) {
         take_list(named, pieces_of(text, ',', equals + 1), along);
         return along;

@@ -27,7 +27,7 @@ struct SceneName {
     std::vector<std::string> words = {};  ///< that completion offers
 };
 
-const std::array<SceneName, 15> scene_names = {{
+const std::array<SceneName, 16> scene_names = {{
     {"sides", "N: 3 to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
     {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
@@ -38,6 +38,7 @@ const std::array<SceneName, 15> scene_names = {{
     {"drag", "gamma, the floor's viscous drag: force -gamma (V - V_floor), in m omega_s (default 0)"},
     {"spin-drag", "gamma_r, its torque -gamma_r I S, in omega_s (default: as --drag)"},
     {"floor", "that drags: dish (default; it moves with the container) or table (at rest)", {"dish", "table"}},
+    {"tangential-restitution", "e_t of a disk, 0 to 1: an impact that sticks returns u_t+ = -e_t u_t- (default 0)"},
     {"container-radius", "R_c in m; with any of these five all that you give and read is in m, s, kg"},
     {"swirl-radius", "r_s in m, instead of --beta"},
     {"swirl-rate", "omega_s in rad/s (default 1); also with --series and --angle"},
@@ -164,6 +165,12 @@ void SceneOptions::refuse_drag() const {
     throw BadInput(
         fmt::format("drag = {}, spin-drag = {}: this command is not extended to a floor that drags; 0 is wanted",
                     text("drag", "0"), text("spin-drag", text("drag", "0"))));
+}
+
+void SceneOptions::refuse_tangential_restitution() const {
+    throw BadInput(
+        fmt::format("tangential-restitution = {}: this command is not extended to tangential restitution; 0 is wanted",
+                    text("tangential-restitution", "0")));
 }
 
 void SceneOptions::add_to(Flags& command) {

@@ -14,8 +14,9 @@
 
 namespace swirl::apps {
 
-/// Does a command follow a body over a floor that drags? One that does not refuses such a scene.
-enum class OverFloor { refused, followed };
+/// Does a command follow a body over a floor that drags, and a disk whose sticking impacts return slip? One that does
+/// not refuses such a scene.
+enum class Extensions { refused, followed };
 
 /// The texts that were given for the scene, by the names of the flags.
 class SceneOptions {
@@ -27,10 +28,10 @@ public:
     /// no body has is noted. @throws BadInput
     void read_file(bool quiet = false);
 
-    /// The scene, every number read as a T. @throws BadInput (missing, units that are none, drag where it is refused),
-    /// std::invalid_argument (out of range)
+    /// The scene, every number read as a T. @throws BadInput (missing, units that are none, an extension where it is
+    /// refused), std::invalid_argument (out of range)
     template <class T>
-    Scene<T> scene(OverFloor over = OverFloor::refused) const;
+    Scene<T> scene(Extensions extensions = Extensions::refused) const;
 
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
@@ -73,6 +74,8 @@ private:
     void require_drag_of_floor() const;
     /// @throws BadInput: a command that does not follow drag
     [[noreturn]] void refuse_drag() const;
+    /// @throws BadInput: a command that does not follow tangential restitution
+    [[noreturn]] void refuse_tangential_restitution() const;
 
     std::map<std::string, std::string> values_;
     std::map<std::string, std::string> start_;
@@ -104,7 +107,7 @@ T SceneOptions::ratio(const std::string& name, const std::string& length) const 
 }
 
 template <class T>
-Scene<T> SceneOptions::scene(OverFloor over) const {
+Scene<T> SceneOptions::scene(Extensions extensions) const {
     units();  // refuses those that are none, whether or not anything is converted
     Scene<T> scene;
     scene.sides = sides_from(required("sides", ""));
@@ -119,8 +122,11 @@ Scene<T> SceneOptions::scene(OverFloor over) const {
         if (scene.spin_drag < T(0)) detail::out_of_range("spin-drag", scene.spin_drag, "0, or 1e-75 to 1000");
     }
     if (has("floor")) scene.floor = floor_from(values_.at("floor"));
+    if (has("tangential-restitution"))
+        scene.tangential_restitution = number_from<T>("tangential-restitution", values_.at("tangential-restitution"));
     require_drag_of_floor();
-    if (over == OverFloor::refused && scene.has_drag()) refuse_drag();
+    if (extensions == Extensions::refused && scene.has_drag()) refuse_drag();
+    if (extensions == Extensions::refused && scene.tangential_restitution != T(0)) refuse_tangential_restitution();
     if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides)) return validated(scene);
     scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))
                                                  : uniform_inertia_factor<T>(scene.sides);

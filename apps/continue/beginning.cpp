@@ -38,7 +38,7 @@ Beginning of_record(const ContinueOptions& options) {
 
 Beginning of_attractor(ContinueOptions& options) {
     options.start.take_from(options.scene);
-    const auto scene = options.scene.scene<double>(OverFloor::followed);
+    const auto scene = options.scene.scene<double>(Extensions::followed);
     exit_when_interrupted();
     const SettledCycle settled =
         settled_cycle(scene, options.start.start<double>(scene), options.output.accuracy(), interruption());
@@ -54,7 +54,7 @@ Beginning beginning_of(ContinueOptions& options) {
     if (options.along.starts_with("drag=") && !options.scene.has("drag")) options.scene.set("drag", "0");
     if (!options.record.empty()) return of_record(options);
     if (options.from == from_attractor) return of_attractor(options);
-    const auto scene = options.scene.scene<double>(OverFloor::followed);
+    const auto scene = options.scene.scene<double>(Extensions::followed);
     const auto z = section_point_from<double>("--from", options.from, scene.is_disk());
     require_leaving(make_body(scene), z);
     return {scene, static_cast<int>(options.its_period.value_or(1)), {z}, options.from, ""};

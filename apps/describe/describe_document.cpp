@@ -42,6 +42,8 @@ std::string shelter_in_words(const Description& d, const std::optional<Units>& u
 std::string fate_in_words(const Description& d) {
     if (d.facts.impacts == ImpactFate::fade) return "fade: each lowers J (mu = 0) or the energy (beta = 0)";
     if (d.facts.impacts == ImpactFate::conserved) return "last: J is conserved (mu = 0, e = 1)";
+    if (keeps_energy_without_sliding(d.scene))
+        return "can last: without sliding J + I S/alpha is conserved (e = e_t = 1)";
     if (d.scene.beta == 0 && d.scene.restitution == 1)
         return "can last: without slip an impact takes nothing (beta = 0, e = 1)";
     return "can last: friction and swirl may give back what they take";

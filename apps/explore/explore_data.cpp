@@ -250,14 +250,21 @@ void require_same_plane(const RecordReader& map, const RecordReader& curves, con
     boundaries::require_same_scene(curves, fmt::format("record '{}'", file), "/scene", scene, axes);
 }
 
-/// The page's own map knows no drag.
-void require_still_floor(const RecordReader& record, const std::string& file) {
+/// The page's own map knows no drag and no tangential restitution.
+void require_page_scene(const RecordReader& record, const std::string& file) {
     const bool drags = record.contains("/sweep/drag") ||
                        text_in(attributes_in(record, "/settings"), "along") == "drag" ||
                        text_in(scene_in(record), "drag") || text_in(attributes_in(record, "/settings"), "drag");
     if (drags)
         throw BadInput(
             fmt::format("record '{}' is of a floor that drags, to which the map of a page is not extended", file));
+    const bool returns = record.contains("/sweep/tangential_restitution") ||
+                         text_in(attributes_in(record, "/settings"), "along") == "tangential-restitution" ||
+                         text_in(scene_in(record), "tangential_restitution") ||
+                         text_in(attributes_in(record, "/settings"), "tangential_restitution");
+    if (returns)
+        throw BadInput(
+            fmt::format("record '{}' has tangential restitution, to which the map of a page is not extended", file));
 }
 
 }  // namespace
@@ -269,7 +276,7 @@ PageData page_data(const std::vector<std::string>& files) {
         records.emplace_back(file);
         if (records.back().contains("/shard"))
             throw BadInput(fmt::format("record '{}' is a shard of a sweep: swirl join makes one record of all", file));
-        require_still_floor(records.back(), file);
+        require_page_scene(records.back(), file);
         kinds.push_back(kind_of(records.back()));
         if (kinds.back().empty())
             throw BadInput(

@@ -55,7 +55,7 @@ void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, Trajecto
 template <class T>
 void follow_in(const SceneOptions& scene_options, const StartOptions& start_options, const ImpactRange& range,
                const OutputOptions& output, OrbitColumns& columns) {
-    const Scene<T> scene = scene_options.scene<T>(OverFloor::followed);
+    const Scene<T> scene = scene_options.scene<T>(Extensions::followed);
     const Start<T> start = start_options.start<T>(scene);
     SceneOrbit<T> orbit(scene, start, baseline_of(output.accuracy()));
     std::visit(
@@ -91,7 +91,7 @@ void require_observables(const std::vector<std::string>& names, bool disk) {
 OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions& start_options,
                           const OutputOptions& output, const ImpactRange& range,
                           const std::vector<std::string>& names) {
-    const Scene<double> scene = scene_options.scene<double>(OverFloor::followed);
+    const Scene<double> scene = scene_options.scene<double>(Extensions::followed);
     OrbitColumns columns;
     columns.scene = scene_settings(scene);
     columns.start = start_settings(start_options, scene);

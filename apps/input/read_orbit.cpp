@@ -69,8 +69,9 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     if (!record.contains("/collisions") || record.datasets("/collisions").empty())
         throw BadInput(fmt::format("record '{}' holds no impacts; one that swirl simulate -o wrote is needed", file));
     OrbitColumns columns;
-    columns.scene = in_order(attributes_of(record, "/scene"), {"sides", "alpha", "beta", "mu", "restitution", "law",
-                                                               "inertia_factor", "drag", "spin_drag", "floor"});
+    columns.scene = in_order(attributes_of(record, "/scene"),
+                             {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag",
+                              "spin_drag", "floor", "tangential_restitution"});
     columns.start = in_order(attributes_of(record, "/start"),
                              {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin", "psi", "chi", "vn", "vt", "S"});
     columns.units = in_order(attributes_of(record, "/units"), {"length", "time", "mass"});
@@ -122,9 +123,10 @@ OrbitColumns read_orbit(const std::string& file, const ImpactRange& range, const
 
 void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start) {
     for (const auto& [name, value] : record.scene)
-        scene.set(name == "inertia_factor" ? "inertia-factor"
-                  : name == "spin_drag"    ? "spin-drag"
-                                           : name,
+        scene.set(name == "inertia_factor"           ? "inertia-factor"
+                  : name == "spin_drag"              ? "spin-drag"
+                  : name == "tangential_restitution" ? "tangential-restitution"
+                                                     : name,
                   required_text_of(value));
     std::string point;
     const bool on_section =

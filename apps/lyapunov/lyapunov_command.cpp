@@ -102,6 +102,7 @@ Table<analysis::Checkpoint> convergence_table(std::size_t exponents) {
 std::string_view reason_of(const Scene<double>& scene) {
     if (scene.has_drag()) return "the summed growth stays bounded";
     if (scene.mu == 0 && scene.restitution == 1) return "J is conserved (mu = 0, e = 1)";
+    if (keeps_energy_without_sliding(scene)) return "without sliding J + I S/alpha is conserved (e = e_t = 1)";
     if (scene.is_disk() && scene.restitution == 1) return "the disk's steady modes are a family (e = 1)";
     if (scene.is_disk() && scene.mu == 0) return "S is conserved (disk without friction)";
     return "the summed growth stays bounded";
@@ -167,7 +168,7 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
 int lyapunov(LyapunovCommandOptions& options) {
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
-    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
+    const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     const Accuracy accuracy = options.output.accuracy();
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record = open_record(options.output, "Lyapunov spectrum of a swirled polygon",

@@ -137,7 +137,7 @@ std::optional<Pin> pin_from(const std::string& text) {
 
 int orbits(OrbitsOptions& options) {
     options.scene.read_file(options.output.quiet);
-    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
+    const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
     options.near = point_without_units(options.near, options.scene.units());
     if (options.pin.starts_with("tau="))

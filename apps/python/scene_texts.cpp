@@ -58,7 +58,7 @@ ReadScene read_scene(const std::vector<std::string>& words) {
     apps::Program program("", "", "");
     add_scene(program, [&](SceneAlone& options) {
         options.scene.read_file(true);
-        found.scene = options.scene.scene<double>(apps::OverFloor::followed);
+        found.scene = options.scene.scene<double>(apps::Extensions::followed);
         found.units = options.scene.units();
         for (const std::string& name : scene_names())
             if (options.scene.has(name)) found.texts[name] = options.scene.text(name, "");

@@ -52,10 +52,33 @@ std::string heading_of_value(const ShownColumn& column, const std::string& label
 }
 
 NamedValues in_written_order(const NamedValues& values) {
-    constexpr std::array order{"sides", "alpha",     "beta",   "mu",    "restitution", "law", "inertia_factor",
-                               "drag",  "spin_drag", "floor",  "speed", "seed",        "x",   "y",
-                               "vx",    "vy",        "angle",  "spin",  "psi",         "chi", "vn",
-                               "vt",    "S",         "length", "time",  "mass"};
+    constexpr std::array order{"sides",
+                               "alpha",
+                               "beta",
+                               "mu",
+                               "restitution",
+                               "law",
+                               "inertia_factor",
+                               "drag",
+                               "spin_drag",
+                               "floor",
+                               "tangential_restitution",
+                               "speed",
+                               "seed",
+                               "x",
+                               "y",
+                               "vx",
+                               "vy",
+                               "angle",
+                               "spin",
+                               "psi",
+                               "chi",
+                               "vn",
+                               "vt",
+                               "S",
+                               "length",
+                               "time",
+                               "mass"};
     const auto place = [&](const auto& named) {
         return std::find(order.begin(), order.end(), named.first) - order.begin();
     };

@@ -115,7 +115,7 @@ Ending follow(const SimulateOptions& options, SceneOrbit<T>& orbit, double spin,
 
 template <class T>
 Ending run_in(const SimulateOptions& options, Sinks& sinks) {
-    const Scene<T> scene = options.scene.template scene<T>(OverFloor::followed);
+    const Scene<T> scene = options.scene.template scene<T>(Extensions::followed);
     const Start<T> start = options.start.template start<T>(scene);
     SceneOrbit<T> orbit(scene, start, baseline_of(options.output.accuracy()));
     return std::visit(

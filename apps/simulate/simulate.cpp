@@ -52,6 +52,7 @@ jacobi_restitution + jacobi_friction of the impact, plus jacobi_friction + landi
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20
   swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5
+  swirl simulate --sides disk --alpha 0.3 --beta 0 --mu 1000 --restitution 1 --tangential-restitution 1 --x 0.1 --vy 0.8 --spin 2
   swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --time 300 --camera 5 --noise 0.002 --lose 0.01 -o film.csv)";
 
@@ -131,7 +132,7 @@ int simulate(SimulateOptions& options) {
     for (auto* time : {&options.time, &options.sample})
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
-    const Scene<double> scene = options.scene.scene<double>(OverFloor::followed);
+    const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.output.accuracy();  // a wrong name is reported before any work
     check_start(options, scene);
     note_interruptions();

@@ -235,7 +235,7 @@ Scene<double> scene_of_cell(SceneOptions scene, const std::vector<GridAxis>& gri
     for (std::size_t k = 0; k < grid.size(); ++k)
         if (is_among(scene_axes, grid[k].name) || grid[k].has_words())
             scene.set(grid[k].name, word_at(grid[k], point[k]));
-    return scene.scene<double>(OverFloor::followed);
+    return scene.scene<double>(Extensions::followed);
 }
 
 }  // namespace swirl::apps::sweep

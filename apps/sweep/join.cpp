@@ -31,12 +31,37 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 30> in_order = {"swirl_version",  "grid", "sample",    "scenes",      "sides",
-                                                  "alpha",          "beta", "mu",        "restitution", "law",
-                                                  "inertia_factor", "drag", "spin_drag", "floor",       "runs",
-                                                  "speed",          "x",    "y",         "vx",          "vy",
-                                                  "angle",          "spin", "seed",      "transient",   "collisions",
-                                                  "exhaustive",     "risk", "error",     "threshold",   "accuracy"};
+constexpr std::array<const char*, 31> in_order = {"swirl_version",
+                                                  "grid",
+                                                  "sample",
+                                                  "scenes",
+                                                  "sides",
+                                                  "alpha",
+                                                  "beta",
+                                                  "mu",
+                                                  "restitution",
+                                                  "law",
+                                                  "inertia_factor",
+                                                  "drag",
+                                                  "spin_drag",
+                                                  "floor",
+                                                  "tangential_restitution",
+                                                  "runs",
+                                                  "speed",
+                                                  "x",
+                                                  "y",
+                                                  "vx",
+                                                  "vy",
+                                                  "angle",
+                                                  "spin",
+                                                  "seed",
+                                                  "transient",
+                                                  "collisions",
+                                                  "exhaustive",
+                                                  "risk",
+                                                  "error",
+                                                  "threshold",
+                                                  "accuracy"};
 
 /// The settings in the order of settings_of. @throws BadInput for one that is not known
 Settings ordered(const std::string& path, const Settings& settings) {
@@ -71,6 +96,7 @@ Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& o
         if (name == "scenes") form.scenes = static_cast<std::size_t>(setting<std::int64_t>(path, sweep.settings, name));
         if (name == "inertia_factor" && text != "uniform") options.scene.set("inertia-factor", text);
         if (name == "spin_drag") options.scene.set("spin-drag", text);
+        if (name == "tangential_restitution") options.scene.set("tangential-restitution", text);
         for (const char* parameter : {"sides", "alpha", "beta", "mu", "restitution", "law", "drag", "floor"})
             if (name == parameter) options.scene.set(name, text);
     }

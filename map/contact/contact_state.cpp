@@ -23,13 +23,14 @@ ContactScene<T> contact_scene(const Body<T>& body, const T& mu, const T& restitu
 template <class T>
 ContactScene<double> in_double(const ContactScene<T>& scene) {
     const auto number = [](const T& x) { return static_cast<double>(x); };
-    const Scene<double> rounded{scene.body.sides,
-                                number(scene.body.alpha),
-                                number(scene.body.beta),
-                                number(scene.mu),
-                                number(scene.restitution),
-                                Law::poisson,  // `rule` stays
-                                number(scene.inertia_factor())};
+    Scene<double> rounded{scene.body.sides,
+                          number(scene.body.alpha),
+                          number(scene.body.beta),
+                          number(scene.mu),
+                          number(scene.restitution),
+                          Law::poisson,  // `rule` stays
+                          number(scene.inertia_factor())};
+    rounded.tangential_restitution = number(scene.body.tangential_restitution);
     return contact_scene(make_body(rounded), rounded.mu, rounded.restitution, scene.rule);
 }
 

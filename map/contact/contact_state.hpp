@@ -81,6 +81,8 @@ PostImpactState<T> seen_from_neighbour(const ContactScene<T>& scene, const PostI
 ///   restitution  e, the scene's or 0
 template <class T>
 Impulse<T> impulse_by_law(const ContactScene<T>& scene, const ContactKinematics<T>& approach, const T& restitution) {
+    if (scene.body.tangential_restitution != T(0) && scene.rule != ImpactRule::frictionless)  // a disk
+        return disk_impulse(approach.un, approach.ut, scene.body.disk_grip, scene.mu, restitution);
     switch (scene.rule) {
         case ImpactRule::frictionless:
             return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);

@@ -301,6 +301,23 @@ DistanceToRest<T> distance_to_rest(const ContactScene<T>& scene, const Remaining
     return {on.rests, slip->way + on.distance};
 }
 
+/// `distance_to_rest` of a disk whose sticking impacts return the slip: u_t⁺ = −e_t u_t⁻ is of the order of v and falls
+/// with it, in turns of either sign; impact by impact. Nothing beyond `most_returned` of them (e up to some 0.9998).
+inline constexpr long most_returned = 100'000;
+template <class T>
+DistanceToRest<T> distance_while_returned(const ContactScene<T>& scene, const RemainingChatter<T>& rest,
+                                          ContactState<T> landing, const Plain<T>& least, const Plain<T>& longest) {
+    using std::abs;
+    SlipSoFar<T> slip{T(-rest.u.un), rest.u.ut};
+    for (long i = 0; plain(slip.v) > least; ++i) {
+        if (i == most_returned) return {};
+        goes_on_to_stick(scene, rest, slip);
+    }
+    landing.ut = plain(abs(slip.ut)) <= least ? T(0) : slip.ut;
+    const DistanceToRest<T> on = distance_of_contact(scene, landing, longest);
+    return {on.rests, slip.way + on.distance};
+}
+
 /// Moves a landing by what the rest of chatter that stops the slip does.
 ///   post_impact   the impact before
 ///   acceleration  a > 0 at rest
@@ -322,7 +339,9 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
     const DistanceToRest<T> contact =
         slip.slides ? distance_of_contact(scene, state, longest) : DistanceToRest<T>{true, T(0)};
     if (!contact.rests) return;
-    const DistanceToRest<T> chatter = distance_to_rest(scene, rest, state, rounding, longest);
+    const DistanceToRest<T> chatter = body.tangential_restitution != T(0)
+                                          ? distance_while_returned(scene, rest, state, rounding, longest)
+                                          : distance_to_rest(scene, rest, state, rounding, longest);
     if (!chatter.rests) return;
     const T d = chatter.distance - contact.distance;
     if (scene.is_disk()) {

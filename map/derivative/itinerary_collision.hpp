@@ -30,7 +30,8 @@ struct ItineraryTouch {
 };
 
 /// What decides the contact mode of an impact (map/README.md, "Impact"): zero where F is continuous and DF jumps. p_k
-/// is the impulse at which slip would stop; meaningless where it never does (`stops` false).
+/// is the impulse at which slip would stop (of a disk with e_t be returned, (1 + e_t) times that); meaningless where it
+/// never does (`stops` false).
 template <class T, Shape shape>
 struct ModeMargins {
     using Row = typename ItineraryUnknowns<T, shape>::Row;
@@ -63,7 +64,7 @@ ModeMargins<T, shape> margins_of(const CollisionMap<Jet, shape, rule>& map, cons
     const Jet sign = Jet(T(plain(ut) < 0 ? -1 : 1));
     const Jet slowing = stick - sign * b3;
     margins.stops = plain(slowing) > 0;
-    const Jet stopped = sign * ut / slowing;
+    const Jet stopped = (Jet(T(1)) + map.body().tangential_restitution) * (sign * ut / slowing);
     const Jet late = (b2 - map.scene().mu * sign * b3) * stopped - un;
     const Jet held = (plain(b3) < 0 ? -b3 : b3) - stick;
     const Jet slip = stopped - p;

@@ -13,14 +13,20 @@
 namespace swirl {
 
 /// The scene's numbers that can be varied continuously.
-enum class Parameter { alpha, beta, mu, restitution, inertia_factor, drag };
+enum class Parameter { alpha, beta, mu, restitution, inertia_factor, drag, tangential_restitution };
 
-inline constexpr Parameter all_parameters[] = {Parameter::alpha,       Parameter::beta,           Parameter::mu,
-                                               Parameter::restitution, Parameter::inertia_factor, Parameter::drag};
+inline constexpr Parameter all_parameters[] = {Parameter::alpha,
+                                               Parameter::beta,
+                                               Parameter::mu,
+                                               Parameter::restitution,
+                                               Parameter::inertia_factor,
+                                               Parameter::drag,
+                                               Parameter::tangential_restitution};
 
 /// By the name of the command's flag.
 inline std::string_view name_of(Parameter parameter) {
-    static constexpr std::string_view names[] = {"alpha", "beta", "mu", "restitution", "inertia-factor", "drag"};
+    static constexpr std::string_view names[] = {
+        "alpha", "beta", "mu", "restitution", "inertia-factor", "drag", "tangential-restitution"};
     return names[static_cast<std::size_t>(parameter)];
 }
 
@@ -44,9 +50,11 @@ inline T& number_of(Scene<T>& scene, Parameter parameter) {
         case Parameter::inertia_factor:
             return scene.inertia_factor;
         case Parameter::drag:
+            return scene.drag;
+        case Parameter::tangential_restitution:
             break;
     }
-    return scene.drag;
+    return scene.tangential_restitution;
 }
 
 /// The scene with another value of one parameter.
@@ -59,8 +67,17 @@ inline Scene<T> with_parameter(Scene<T> scene, Parameter parameter, const T& val
 /// A scene in another number type.
 template <class To, class From>
 inline Scene<To> scene_in(const Scene<From>& s) {
-    return {s.sides, To(s.alpha),          To(s.beta), To(s.mu),        To(s.restitution),
-            s.law,   To(s.inertia_factor), To(s.drag), To(s.spin_drag), s.floor};
+    return {s.sides,
+            To(s.alpha),
+            To(s.beta),
+            To(s.mu),
+            To(s.restitution),
+            s.law,
+            To(s.inertia_factor),
+            To(s.drag),
+            To(s.spin_drag),
+            s.floor,
+            To(s.tangential_restitution)};
 }
 
 /// ∂F/∂λ at a fixed state where the next collision is known, λ the parameter; ∂F/∂z is `derivative_by_saltation`'s. By

@@ -111,8 +111,10 @@ VariedKinematics<T> varied_kinematics(const Body<T>& body, const PostImpactState
 template <ImpactRule rule, class T>
 void add_impact(const Body<T>& body, const Scene<T>& scene, const PostImpactState<T>& before, const Impulse<T>& j,
                 Matrix5<T>& d) {
-    const ImpulseChange<T> change =
-        impulse_change<rule>(varied_kinematics(body, before), scene.mu, scene.restitution, j.mode);
+    const VariedKinematics<T> at = varied_kinematics(body, before);
+    ImpulseChange<T> change = impulse_change<rule>(at, scene.mu, scene.restitution, j.mode);
+    if (body.tangential_restitution != T(0) && ends_in_stick(j.mode))  // of the disk: q = −(1 + e_t)u_t/B₁
+        change.tangential -= (body.tangential_restitution / at.b1.value) * at.ut.change;
     const Vec2<T> r = body.alpha * before.chi;
     const Differential<T> normal = change.normal * d, tangential = change.tangential * d;
     d.row(2) -= normal;

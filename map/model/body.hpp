@@ -34,7 +34,8 @@ struct Body {
     T inertia{};          ///< I = κ α² (m = 1)
     T inverse_inertia{};  ///< 1/I: what is divided by at every impact is kept as a reciprocal
     T inverse_inner{};    ///< 1/(1 − α)
-    T disk_grip{};        ///< 1/B₁ of the disk, I/(I + α²)
+    T disk_grip{};        ///< of the disk (1 + e_t)/B₁, 1/B₁ = I/(I + α²): −q/u_t of an impact that sticks
+    T tangential_restitution{};  ///< e_t of the disk
     // α, 1/α, 1 − α and 1/(1 − α) for products that must not be biased.
     UnbiasedFactor<T> unbiased_alpha{}, unbiased_inverse_alpha{}, unbiased_inner{}, unbiased_inverse_inner{};
     T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
@@ -136,7 +137,8 @@ inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr
     body.unbiased_inverse_alpha = unbiased(T(T(1) / body.alpha));
     body.unbiased_inner = unbiased(body.inner);
     body.unbiased_inverse_inner = unbiased(body.inverse_inner);
-    body.disk_grip = body.inertia / (body.inertia + body.alpha * body.alpha);
+    body.tangential_restitution = scene.tangential_restitution;
+    body.disk_grip = (T(1) + scene.tangential_restitution) * (body.inertia / (body.inertia + body.alpha * body.alpha));
     body.outer = body.inner;
     if (scene.is_disk()) return body;
     const Vec2<T> half = cis(T(pi<T>() / scene.sides));

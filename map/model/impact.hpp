@@ -107,14 +107,16 @@ template <class T>
 }
 
 /// The disk's impulse: B₃ = 0 and B₂ = 1 decouple the directions, slip stops at p = |u_t|/(μB₁), and all laws agree.
-/// `grip` = 1/B₁: no division.
+/// An impact that sticks returns u_t⁺ = −e_t u_t⁻ by q = −(1 + e_t)u_t/B₁; it slides where that exceeds μp (Walton).
+/// Energy is never gained: q opposes the mean of u_t before and after. c-sticking: |q| < μu_n, what friction can give
+/// in compression. `grip` = (1 + e_t)/B₁: no division. Source: Walton & Braun, J. Rheol. 30 (1986) 949.
 template <class T>
 [[gnu::always_inline]] inline Impulse<T> disk_impulse(const T& normal, const T& ut, const T& grip, const T& mu,
                                                       const T& restitution) {
     using std::fabs;
     const T un = approaching(normal);
     const T end = (T(1) + restitution) * un;
-    const T stick = -grip * ut;  // the impulse that stops the slip
+    const T stick = -grip * ut;  // the impulse that stops the slip, or returns it
     if (fabs(plain(stick)) > plain(mu) * plain(end))
         return {end, plain(ut) > 0 ? T(-mu * end) : T(mu * end), ContactMode::sliding};
     const bool early = fabs(plain(stick)) < plain(mu) * plain(un);

@@ -33,10 +33,11 @@ struct Scene {
     T mu{};           ///< friction μ, ≥ 0
     T restitution{};  ///< e, in [0, 1]
     Law law = Law::poisson;
-    T inertia_factor{};         ///< κ: I = κ m R_p², > 0
-    T drag{};                   ///< γ: the floor's force −γ(V − V_f), in m ω_s, ≥ 0
-    T spin_drag = T(-1);        ///< γ_r: its torque −γ_r I S; negative: γ's value
-    Floor floor = Floor::dish;  ///< V_f
+    T inertia_factor{};          ///< κ: I = κ m R_p², > 0
+    T drag{};                    ///< γ: the floor's force −γ(V − V_f), in m ω_s, ≥ 0
+    T spin_drag = T(-1);         ///< γ_r: its torque −γ_r I S; negative: γ's value
+    Floor floor = Floor::dish;   ///< V_f
+    T tangential_restitution{};  ///< e_t, in [0, 1]; of the disk alone
 
     bool is_disk() const { return sides == disk_sides; }
     T turning_drag() const { return spin_drag < T(0) ? drag : spin_drag; }
@@ -107,6 +108,14 @@ inline bool is_dissipative_without_drive(const Scene<T>& scene) {
     return scene.mu == T(0) || (scene.beta == T(0) && (scene.law != Law::newton || scene.is_disk()));
 }
 
+/// True of a disk with e = e_t = 1 and friction: J + IS/α changes by the work of sliding alone, and so is conserved for
+/// ever once impacts only stick (map/README.md, "Tangential restitution").
+template <class T>
+inline bool keeps_energy_without_sliding(const Scene<T>& scene) {
+    return scene.is_disk() && !scene.has_drag() && scene.mu > T(0) && scene.restitution == T(1) &&
+           scene.tangential_restitution == T(1);
+}
+
 /// Returns the scene if every parameter is within its range.
 /// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
 template <class T>
@@ -124,6 +133,13 @@ inline Scene<T> validated(const Scene<T>& scene) {
         detail::out_of_range("restitution", scene.restitution, "0 <= restitution <= 1");
     if (!(scene.inertia_factor > T(0) && is_holdable(scene.inertia_factor)))
         detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite (1e-75 to 1e75)");
+    if (!(scene.tangential_restitution >= T(0) && scene.tangential_restitution <= T(1)))
+        detail::out_of_range("tangential-restitution", scene.tangential_restitution, "0 to 1 (of the disk)");
+    if (scene.tangential_restitution != T(0) && !scene.is_disk())
+        detail::out_of_range(
+            "tangential-restitution", scene.tangential_restitution,
+            "0 for a polygon, whose normal and tangential impulse are coupled (B_3 != 0): it could gain "
+            "energy; 0 to 1 for the disk");
     const T& turning = scene.turning_drag();
     if (!(scene.drag >= T(0) && scene.drag <= T(largest_drag) && is_holdable(scene.drag)))
         detail::out_of_range("drag", scene.drag, "0, or 1e-75 to 1000");
@@ -141,6 +157,17 @@ inline Scene<T> without_drag(const Scene<T>& scene, const char* what) {
         throw std::invalid_argument(std::string(what) + " is not extended to a floor that drags (drag = " +
                                     NumberTraits<Plain<T>>::text(plain(scene.drag)) + ", spin-drag = " +
                                     NumberTraits<Plain<T>>::text(plain(scene.turning_drag())) + "); drag 0 is wanted");
+    return scene;
+}
+
+/// The scene, if its sticking impacts return nothing of the slip.
+///   what  as in `without_drag`
+template <class T>
+inline Scene<T> without_tangential_restitution(const Scene<T>& scene, const char* what) {
+    if (scene.tangential_restitution != T(0))
+        throw std::invalid_argument(
+            std::string(what) + " is not extended to tangential restitution (tangential-restitution = " +
+            NumberTraits<Plain<T>>::text(plain(scene.tangential_restitution)) + "); 0 is wanted");
     return scene;
 }
 

@@ -96,8 +96,17 @@ private:
     }
     template <class T>
     static Scene<double> in_double(const Scene<T>& s) {
-        return {s.sides, number(s.alpha),          number(s.beta), number(s.mu),        number(s.restitution),
-                s.law,   number(s.inertia_factor), number(s.drag), number(s.spin_drag), s.floor};
+        return {s.sides,
+                number(s.alpha),
+                number(s.beta),
+                number(s.mu),
+                number(s.restitution),
+                s.law,
+                number(s.inertia_factor),
+                number(s.drag),
+                number(s.spin_drag),
+                s.floor,
+                number(s.tangential_restitution)};
     }
     Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);

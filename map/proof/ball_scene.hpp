@@ -27,6 +27,7 @@ using BallScene = SceneIn<Ball>;
 inline BallScene ball_scene(const Scene<double>& scene) {
     using intervals::decimal;
     without_drag(scene, "a proof");
+    without_tangential_restitution(scene, "a proof");
     BallScene balls;
     balls.sides = scene.sides;
     balls.law = scene.law;

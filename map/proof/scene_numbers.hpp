@@ -48,6 +48,9 @@ void set_parameter(SceneIn<S>& scene, Parameter parameter, const S& value) {
         case Parameter::drag:
             throw std::invalid_argument(
                 "proofs are not extended to a floor that drags: drag is no parameter of theirs");
+        case Parameter::tangential_restitution:
+            throw std::invalid_argument(
+                "proofs are not extended to tangential restitution: tangential-restitution is no parameter of theirs");
     }
 }
 

@@ -13,7 +13,9 @@ inline Scene<double> uniform_scene(int sides, double alpha, double beta, double 
 /// A scene in another number type.
 template <class T>
 Scene<T> scene_in(const Scene<double>& s) {
-    return {s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};
+    Scene<T> scene{s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};
+    scene.tangential_restitution = T(s.tangential_restitution);
+    return scene;
 }
 
 template <class T>

@@ -30,7 +30,10 @@ public:
 
 private:
     static Scene<Jet> in_jets(const Scene<T>& s) {
-        return {s.sides, Jet(s.alpha), Jet(s.beta), Jet(s.mu), Jet(s.restitution), s.law, Jet(s.inertia_factor)};
+        Scene<Jet> scene{s.sides, Jet(s.alpha),         Jet(s.beta), Jet(s.mu), Jet(s.restitution),
+                         s.law,   Jet(s.inertia_factor)};
+        scene.tangential_restitution = Jet(s.tangential_restitution);
+        return scene;
     }
 
     CollisionMap<T, shape, rule> map_;

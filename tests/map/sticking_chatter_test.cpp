@@ -257,6 +257,39 @@ void expect_third_order(double most_slip, Stop stop, std::initializer_list<int> 
         }
 }
 
+/// A disk whose impacts return the slip: u_t falls with v, whatever signs it takes, and chatter ends at rest.
+Fall fall_of_returned(const Scene<double>& s, const SectionPoint<double>& z, double v, double slip) {
+    const ContactScene<Quad> scene = tests::contact_of(tests::scene_in<Quad>(s));
+    const auto error = [&](double leaving) {
+        const PostImpactState<Quad> from = leaving_at(scene, z, leaving, slip);
+        if (!(chatter_error(scene, from).moved <= Quad(0.01 * leaving)) || !can_stick(scene, from)) return -1.0;
+        Accumulation end = impact_by_impact(s, from, Quad(1e-29));
+        if (!end.found || abs(end.ut) > Quad(1e-27)) return -1.0;
+        end.rests = true;
+        return difference_from(scene, from, end);
+    };
+    return {error(v), error(0.1 * v)};
+}
+
+TEST(StickingChatter, LeavesAnErrorOfThirdOrderWhereImpactsReturnTheSlip) {
+    tests::Random random(11);
+    std::vector<double> ratios;
+    for (int i = 0; i < 60; ++i) {
+        const double restitution = random.between(0.1, 0.7), mu = random.between(0.2, 1);
+        Scene<double> s = tests::random_scene(random, disk_sides, mu, restitution, Law::poisson);
+        s.tangential_restitution = random.between(0.1, 1);
+        const SectionPoint<double> z = tests::random_point(random, s, 0);
+        const Fall fall = fall_of_returned(s, z, 1e-5, random.between(-2, 2));
+        if (fall.at_v > 0 && fall.at_tenth >= 0) ratios.push_back(fall.at_tenth / fall.at_v);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    ASSERT_GE(ratios.size(), 10U);
+    std::printf("%zu sequences, error(v/10)/error(v) median %.3g, largest %.3g\n", ratios.size(),
+                ratios[ratios.size() / 2], ratios.back());
+    EXPECT_NEAR(ratios[ratios.size() / 2], 1e-3, 1e-5);
+    EXPECT_LE(ratios.back(), 2e-3);
+}
+
 TEST(StickingChatter, LeavesAnErrorOfThirdOrder) {
     expect_third_order(0, Stop::throughout, {disk_sides, 3});
 }

@@ -73,6 +73,8 @@ class Scene:
         by default.
     floor : {"dish", "table"}, optional
         Whether that floor moves with the container (the default) or is at rest.
+    tangential_restitution : float, optional
+        e_t of a disk, 0 to 1: an impact that sticks returns u_t+ = -e_t u_t-; 0 by default. A polygon's is 0.
 
     Raises
     ------
@@ -88,11 +90,12 @@ class Scene:
 
     def __init__(self, sides=None, alpha=None, beta=None, mu=None, restitution=None, law="poisson", inertia_factor=None,
                  *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None,
-                 drag=None, spin_drag=None, floor=None):
+                 drag=None, spin_drag=None, floor=None, tangential_restitution=None):
         given = {"sides": sides, "alpha": alpha, "beta": beta, "mu": mu, "restitution": restitution, "law": law,
                  "inertia_factor": inertia_factor, "container_radius": container_radius, "swirl_radius": swirl_radius,
                  "swirl_rate": swirl_rate, "polygon_radius": polygon_radius, "mass": mass,
-                 "drag": drag, "spin_drag": spin_drag, "floor": floor}
+                 "drag": drag, "spin_drag": spin_drag, "floor": floor,
+                 "tangential_restitution": tangential_restitution}
         self._read([f"--{name.replace('_', '-')}={text_of_argument(name, value)}"
                     for name, value in given.items() if value is not None])
 
@@ -175,6 +178,11 @@ class Scene:
     def floor(self):
         """`dish` or `table`; None of a floor that does not drag."""
         return self._values.get("floor")
+
+    @property
+    def tangential_restitution(self):
+        """e_t of the disk."""
+        return self._values.get("tangential_restitution", 0.0)
 
     @property
     def units(self):

@@ -150,8 +150,9 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
 }
 
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter, Accuracy accuracy) {
-    // Along μ there is friction, whatever this scene's own μ, and so with drag.
-    const bool may_vanish = parameter == Parameter::mu || parameter == Parameter::drag;
+    // Along μ there is friction, whatever this scene's own μ, and so with drag and tangential restitution.
+    const bool may_vanish =
+        parameter == Parameter::mu || parameter == Parameter::drag || parameter == Parameter::tangential_restitution;
     const Scene<double> typical = may_vanish ? with_parameter(scene, parameter, 1.0) : scene;
     return with_scene_map(
         typical,
@@ -171,6 +172,7 @@ bool is_allowed(Parameter parameter, double value) {
         case Parameter::alpha:
             return value > 0 && value < 1;
         case Parameter::restitution:
+        case Parameter::tangential_restitution:
             return value >= 0 && value <= 1;
         case Parameter::inertia_factor:
             return value > 0 && detail::is_holdable(value);

@@ -95,6 +95,7 @@ Orbits<CollisionMap<double, shape, rule>> random_orbits(std::uint64_t seed, int 
                         : rule == ImpactRule::stronge ? Law::stronge
                                                       : Law::poisson;
         Scene<double> scene = random_scene(random, sides, mu, restitution, law);
+        if (shape == Shape::disk && k % 3 == 0) scene.tangential_restitution = (k % 30) / 27.0;
         if (k % 10 == 9) scene.alpha = random.log_between(1e-6, 0.03);  // short sides, of few vertices too
         const SectionPoint<double> start = random_point(random, scene, random.log_between(0.01, 2));
         orbits.add(scene, post_impact_state(start), impacts);

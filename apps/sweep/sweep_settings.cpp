@@ -2,6 +2,7 @@
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -23,8 +24,9 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     const auto gridded = [&](const std::string& name) { return has_axis(grid, name); };
     for (const auto& parameter : scene_settings(first)) {
         const bool inertia = parameter.first == "inertia_factor";
-        if (gridded(inertia ? "inertia-factor" : parameter.first == "spin_drag" ? "spin-drag" : parameter.first))
-            continue;
+        std::string axis = parameter.first;
+        std::replace(axis.begin(), axis.end(), '_', '-');
+        if (gridded(axis)) continue;
         if (inertia && gridded("sides") && !options.scene.has("inertia-factor"))
             settings.emplace_back("inertia_factor", std::string("uniform"));  // the lamina's, which depends on N
         else

@@ -3,6 +3,7 @@
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
+#include "apps/input/column_names.hpp"
 #include "apps/input/measured_motion.hpp"
 #include "apps/output/wrapped.hpp"
 #include "map/model/scene.hpp"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -154,6 +157,29 @@ void cut_ends(std::vector<double>& times, std::vector<std::vector<double>>& colu
                     begin > 0 && after > 0 ? ", " : "", after > 0 ? rows(after) + " at the end" : ""));
 }
 
+/// A turn of degrees, of which rows step back by half and more: no angle in radians, unwound or not, does.
+bool come_round_at_360(const std::vector<double>& values) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    double low = std::numeric_limits<double>::infinity(), high = -low, last = none, step = 0;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        low = std::min(low, value), high = std::max(high, value);
+        if (!std::isnan(last)) step = std::max(step, std::abs(value - last));
+        last = value;
+    }
+    return high - low <= 360 && step > 180;
+}
+
+void note_degrees(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
+                  const std::vector<double>& values, MeasuredSeries& series) {
+    if (choice.angle.empty() || choice.degrees) return;
+    const bool is_named = !file.layout.units.empty() && names_degrees(file.layout.units[column]);
+    if (!is_named && !come_round_at_360(values)) return;
+    series.notes.push_back(fmt::format("column {} is read in radians, though its {} degrees: --degrees says so",
+                                       column_name(file, column),
+                                       is_named ? "unit is" : "values come round at 360 as do"));
+}
+
 /// The table of the file, of which --where leaves some rows.
 std::shared_ptr<const DelimitedFile> rows_asked_for(const SeriesChoice& choice, MeasuredSeries& series) {
     auto table = choice.read();
@@ -190,6 +216,7 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
     series.y_down = choice.y_down;
     series.clockwise = choice.is_angle() && choice.swirl_rate < 0;
     std::vector<std::vector<double>> values = values_of_motion(file, choice, columns, series);
+    note_degrees(file, choice, columns.values.front(), values.front(), series);
     series.times = std::move(columns.times);
     if (columns.time) {
         series.time = column_name(file, *columns.time);

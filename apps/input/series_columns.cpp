@@ -189,11 +189,6 @@ SeriesColumns columns_of(const DelimitedFile& file, const SeriesChoice& choice) 
     SeriesColumns columns = time_columns_of(file, choice);
     require_one_body(file, bodies_in(file, columns.time, columns.time ? columns.times : std::vector<double>()));
     columns.values = values_for(file, choice, columns);
-    if (!choice.angle.empty() && !choice.degrees && !file.layout.units.empty() &&
-        names_degrees(file.layout.units[columns.values.front()]))
-        columns.notes.push_back(
-            fmt::format("column {} is read in radians, though its unit is degrees: --degrees says so",
-                        column_name(file, columns.values.front())));
     return columns;
 }
 

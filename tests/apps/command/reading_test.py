@@ -177,6 +177,16 @@ class Geometry(Reading):
         for flags in ("--angle 2 --degrees", "--angle 3"):
             self.assertNotIn("radians", self.notes(f"classify --series {file} {flags}"))
 
+    def test_an_angle_whose_values_come_round_at_360_is_noted(self):
+        rows = [(0.1 * i, 4 * i % 360, (4 * i + 180) % 360 - 180, 4 * i, f"{0.07 * i % (2 * math.pi):.4f}") for i in range(600)]
+        file = self.rows("w.csv", "t,around,about,unwound,turn", rows)
+        for name in ("around", "about"):
+            note = f"column {name} is read in radians, though its values come round at 360 as do degrees: --degrees says so"
+            self.assertIn(note, self.notes(f"classify --series {file} --angle {name}"))
+            self.assertNotIn("radians", self.notes(f"classify --series {file} --angle {name} --degrees"))
+        for name in ("unwound", "turn"):
+            self.assertNotIn("radians", self.notes(f"classify --series {file} --angle {name}"))
+
     def test_a_mark_turns_about_an_origin_that_is_given_or_fitted(self):
         rows = [(0.1 * i, repr(7 + 3 * math.cos(0.02 * i)), repr(-1 + 3 * math.sin(0.02 * i))) for i in range(600)]
         file = self.rows("m.csv", "t,x,y", rows)

@@ -180,6 +180,19 @@ class Certify(InFolder):
         found = document(f"certify {record} --branches")
         self.assertGreaterEqual(found["proven_share"], 0.97)
 
+    def test_a_branch_of_a_record_is_proven_to_where_it_ends_beyond_the_record(self):
+        record = self.folder / "branch.h5"
+        point = "-3.1394923622695364,0.0021002820554532,-0.0400900807191914,0.0883665218445566,-1.470916791839276"
+        ran = document(f"continue {HEXAGON} --from={point} --along alpha=0.395:0.6 -o {record}")
+        last = max(one["parameter"] for one in ran["branches"][0]["points"])
+        self.assertLess(last, 0.499999)
+        found = document(f"certify {record} --branches")
+        self.assertEqual(found["along"]["alpha"], [0.395, 0.6])
+        end = found["branches"][0]["ends"][1]
+        low, high = end["box"]["alpha"]
+        self.assertEqual((end["kind"], end["proven"]), ("contact-mode", True))
+        self.assertTrue(last < low <= 0.5 <= high < 0.50001, (last, low, high))  # it touches where beta = 1 - alpha
+
     def test_what_an_interruption_leaves_is_a_certificate(self):
         record, certificate = self.folder / "diagram.h5", self.folder / "c.json"
         run("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.3:0.7:100 --starts 2 --branches "

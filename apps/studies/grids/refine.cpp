@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Calls use(place) for all combinations of one value a digit below its radix, the last fastest.
+/// Calls use(digits) for all combinations of one value a digit below its radix, the last fastest.
 template <class Use>
 void for_each(const std::vector<std::size_t>& radix, const Use& use) {
     std::vector<std::size_t> digits(radix.size(), 0);
@@ -26,13 +26,13 @@ void for_each(const std::vector<std::size_t>& radix, const Use& use) {
     }
 }
 
-std::size_t place_of(const Lattice& lattice, const std::vector<std::size_t>& at) {
-    std::size_t place = 0;
-    for (std::size_t k = 0; k < at.size(); ++k) place = place * lattice.points[k] + at[k];
-    return place;
+std::size_t index_of(const Lattice& lattice, const std::vector<std::size_t>& at) {
+    std::size_t index = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) index = index * lattice.points[k] + at[k];
+    return index;
 }
 
-/// The 3^d points of a square of some size, as differences of places from its lower corner.
+/// The 3^d points of a square of some size, as differences of indices from its lower corner.
 struct Stencil {
     struct Point {
         std::size_t away;    ///< from the lower corner
@@ -52,7 +52,7 @@ Stencil stencil_of(const Lattice& lattice, std::size_t side) {
             below.push_back(h / 2 * side);
             corner = corner && h != 1;
         }
-        stencil.points.push_back({place_of(lattice, at), place_of(lattice, below), corner});
+        stencil.points.push_back({index_of(lattice, at), index_of(lattice, below), corner});
     });
     return stencil;
 }
@@ -93,12 +93,12 @@ Range around(const Lattice& lattice, const Square& square) {
     return range;
 }
 
-/// Is there a point in the range, `place` along the axes before this one, for which is(place)?
+/// Is there a point in the range, `index` along the axes before this one, for which is(index)?
 template <class Is>
-bool any_of(const Lattice& lattice, const Range& range, const Is& is, std::size_t axis = 0, std::size_t place = 0) {
-    if (axis == lattice.points.size()) return is(place);
+bool any_of(const Lattice& lattice, const Range& range, const Is& is, std::size_t axis = 0, std::size_t index = 0) {
+    if (axis == lattice.points.size()) return is(index);
     for (std::size_t i = range.first[axis]; i < range.end[axis]; ++i)
-        if (any_of(lattice, range, is, axis + 1, place * lattice.points[axis] + i)) return true;
+        if (any_of(lattice, range, is, axis + 1, index * lattice.points[axis] + i)) return true;
     return false;
 }
 
@@ -111,26 +111,26 @@ std::size_t Lattice::size() const {
 }
 
 std::vector<std::size_t> coarse_points(const Lattice& lattice) {
-    std::vector<std::size_t> counts, places;
+    std::vector<std::size_t> counts, indices;
     for (const std::size_t n : lattice.points) counts.push_back((n - 1) / lattice.coarse_stride() + 1);
     for_each(counts, [&](std::vector<std::size_t> at) {
         for (std::size_t& coordinate : at) coordinate *= lattice.coarse_stride();
-        places.push_back(place_of(lattice, at));
+        indices.push_back(index_of(lattice, at));
     });
-    return places;
+    return indices;
 }
 
 std::vector<std::size_t> next_points(const Lattice& lattice, std::span<const char> visited,
                                      const std::function<std::int64_t(std::size_t)>& verdict) {
     std::vector<std::size_t> next;
     std::vector<std::int64_t> verdicts(visited.size());
-    for (std::size_t place = 0; place < visited.size(); ++place)
-        if (visited[place]) verdicts[place] = verdict(place);
+    for (std::size_t index = 0; index < visited.size(); ++index)
+        if (visited[index]) verdicts[index] = verdict(index);
     for_each_square(lattice, [&](const Stencil& stencil, const Square& square) {
-        const std::size_t corner = place_of(lattice, square.at);
+        const std::size_t corner = index_of(lattice, square.at);
         for (const auto& point : stencil.points)  // else within a square that is left whole
             if (point.is_corner && !visited[corner + point.away]) return;
-        const auto differs = [&](std::size_t place) { return visited[place] && verdicts[place] != verdicts[corner]; };
+        const auto differs = [&](std::size_t index) { return visited[index] && verdicts[index] != verdicts[corner]; };
         if (!any_of(lattice, around(lattice, square), differs)) return;
         for (const auto& point : stencil.points)
             if (!visited[corner + point.away]) next.push_back(corner + point.away);
@@ -145,7 +145,7 @@ std::vector<std::size_t> sources(const Lattice& lattice, std::span<const char> v
     for (std::size_t i = 0; i < source.size(); ++i)
         if (visited[i]) source[i] = i;
     for_each_square(lattice, [&](const Stencil& stencil, const Square& square) {
-        const std::size_t corner = place_of(lattice, square.at);
+        const std::size_t corner = index_of(lattice, square.at);
         for (const auto& point : stencil.points) {
             std::size_t& here = source[corner + point.away];
             if (here == none) here = source[corner + point.corner];

@@ -39,7 +39,6 @@ The outcome says how the orbit ended. All but the first exit with code 3, interr
                      overflow (an inertia factor far below rounding)
   unresolved         the search for one contact gave up, or no motion on the wall was consistent
   riding             --drag on a dish: the body goes along with it and never meets the wall again (proven)
-  contact-with-drag  --drag: impacts die out and contact begins, which is not followed with drag
   interrupted        the user ended it
 
 --camera FPS writes what a tracker would make of a film of it: -o FILE.csv has a line a frame, the body's centre, a mark at

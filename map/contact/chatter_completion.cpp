@@ -230,23 +230,28 @@ T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactS
                                                                  : ContactMotion::sliding_forward;
     const Support support = scene.is_disk() ? Support::rim : Support::vertex;
     const Reaction<T> change = reaction_of(scene, support, motion, contact);
-    const T wn = body.beta * cos(contact.psi), wt = body.beta * abs(sin(contact.psi));
+    const Vec2<T> w = swirl_force(scene, Vec2<T>{cos(contact.psi), sin(contact.psi)});
+    const T wn = w.x, wt = abs(w.y);
+    const T drag = scene.floor.drags ? T(scene.floor.drag + scene.floor.spin_drag) : T(0);  // how fast it changes a
     if (scene.is_disk()) {
         const T rate = 1 + abs(normal_rate(scene, support, before));
         const T turning = normal_rate(scene, support, contact);
         const T faster = abs(change.ut_rate - body.alpha * change.spin_rate) * body.inverse_inner;
         const T a = wn + body.inner * turning * turning;
         const T a_rate = wt * abs(turning - 1) + 2 * body.inner * abs(turning) * faster;
-        return rate * (rate + a_rate / abs(a)) + faster;
+        return rate * (rate + a_rate / abs(a) + drag) + faster;
     }
     const T rate = 1 + abs(before.ut) + abs(before.spin);
     const T faster = abs(change.ut_rate) + abs(change.spin_rate);
     const T rn = body.alpha * abs(cos(contact.chi)), rt = body.alpha * abs(sin(contact.chi));
     const T spin2 = contact.spin * contact.spin;
-    const T a = wn + contact.ut * contact.ut - spin2 * body.alpha * cos(contact.chi);
+    T a = wn + contact.ut * contact.ut - spin2 * body.alpha * cos(contact.chi);
+    if (scene.floor.drags)
+        a -= (scene.floor.drag - scene.floor.spin_drag) * contact.spin * body.alpha * sin(contact.chi);
     const T a_rate = wt * abs(contact.ut - 1) + 2 * abs(contact.ut * change.ut_rate) +
                      2 * abs(contact.spin * change.spin_rate) * rn + spin2 * abs(contact.spin - contact.ut) * rt;
-    return (rate * (rate + a_rate / abs(a)) + faster) * (1 + impulse_change(scene, slip, contact.chi));
+    return (rate * (rate + a_rate / abs(a) + drag * (1 + abs(contact.spin) * rt / abs(a))) + faster) *
+           (1 + impulse_change(scene, slip, contact.chi));
 }
 
 /// The distance an edge slides after landing until friction holds it; infinite if friction does not. Where no sliding

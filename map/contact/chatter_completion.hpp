@@ -59,14 +59,21 @@ inline T velocity_rounding(const ContactScene<T>& scene, const PostImpactState<T
 
 /// A quick sufficient test: false (as after nearly every impact) implies that `chatter_completion` finds no contact.
 /// The body leaves if vT exceeds `chatter_tolerance` by a factor of 2 (for rounding) even with the bound a ≤ β + (u_t −
-/// αS)²/ρ (a disk) or β + u_t² (a vertex), and the neighbour is away from the wall. Cost: some ten products.
+/// αS)²/ρ (a disk) or β + u_t² (a vertex), with what a floor adds, and the neighbour is away from the wall. Cost: some
+/// ten products.
 template <class T>
 [[gnu::always_inline]] inline bool may_chatter(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
     using std::abs;
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T along = scene.is_disk() ? T(u.ut - scene.body.alpha * post_impact.spin) : u.ut;
     const T nearer = scene.is_disk() ? scene.body.inverse_inner : T(1);
-    const T acceleration = scene.body.beta + along * along * nearer;
+    T acceleration = scene.body.beta + along * along * nearer;
+    if (scene.floor.drags) {
+        const ContactFloor<T>& floor = scene.floor;
+        acceleration += floor.tilt * scene.body.beta + floor.drag * abs(u.un);
+        if (!scene.is_disk())
+            acceleration += abs(floor.drag - floor.spin_drag) * scene.body.alpha * abs(post_impact.spin);
+    }
     if (!(u.un * u.un > chatter_tolerance<T>() * (1 - scene.restitution) * acceleration &&
           abs(u.un) > velocity_rounding(scene, post_impact)))
         return true;

@@ -108,6 +108,7 @@ ContactEnd<double> advanced_at_once(const ContactScene<double>& scene, const Con
 template <class T>
 std::optional<ContactEnd<T>> endless_contact(const ContactScene<T>& scene, Support support, ContactMotion motion,
                                              const ContactState<T>& start, const T& duration) {
+    if (scene.floor.drags) return {};  // a pendulum with drag has no closed form
     if (support != Support::rim || !(duration > T(long_contact) * longest_step(scene, support, start))) return {};
     if constexpr (std::is_same_v<T, double>) {
         if (!holds_throughout(scene, support, motion, start)) return {};

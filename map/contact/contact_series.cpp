@@ -118,6 +118,11 @@ struct Turn {
     T sine(int k) const { return both[k][0]; }
     T cosine(int k) const { return both[k][1]; }
 
+    /// Turned back by a tilt: (1 − i·tilt) times what it is of.
+    void tilt(const T& by) {
+        const T s = sine(0), c = cosine(0);
+        both[0] = Two<T>(s + by * c, c - by * s);
+    }
     /// `rest` is the rounding error of the angle: after many turns it exceeds the rounding of its sine.
     void begin(const T& size, const T& angle, const T& rest = T(0)) {
         const T s = sin(angle), c = cos(angle);
@@ -160,15 +165,27 @@ struct Builder {
     const T c = cos(scene.half_chord), per_s = T(1) / sin(scene.half_chord), d = body.outer;
     const T inverse_inertia = T(1) / (body.inertia + d * d), lean_share = body.inertia * inverse_inertia;
     const T uneven = c - d * inverse_inertia, per_stiffness = T(1) / (c + smu * smu * uneven);
+    // Of a floor that drags; none of it is read elsewhere.
+    const ContactFloor<T>& floor = scene.floor;
+    const bool drags = floor.drags;
+    const T apart = drags ? T(floor.drag - floor.spin_drag) : T(0);
+    const T about_vertex = drags ? slowing_about(alpha) : T(0), about_middle = drags ? slowing_about(d) : T(0);
+
+    /// (γl² + γ_r I)/(I + l²), by which S falls about a point l from the centre.
+    T slowing_about(const T& l) const {
+        return (floor.drag * l * l + floor.spin_drag * body.inertia) / (body.inertia + l * l);
+    }
 
     void begin(Support support, const ContactState<T>& start, const T& psi_rest) {
         const T& beta = body.beta;
         swirl.begin(beta, support == Support::edge ? T(start.psi + scene.half_chord) : start.psi, psi_rest);
+        if (drags) swirl.tilt(floor.tilt);
         if (support != Support::vertex) return;
         r.begin(alpha, start.chi);
         if (!sticks) return;
         const ExactSum<T> sum = exact_sum(start.psi, start.chi);
         torque.begin(alpha * beta / (body.inertia + alpha * alpha), sum.sum, T(sum.rest + psi_rest));
+        if (drags) torque.tilt(floor.tilt);
     }
 
     /// Orders k of the rates are known: the next of what they are the rates of.
@@ -191,8 +208,14 @@ struct Builder {
         rate[k] = (z.ut[k] - alpha * z.spin[k]) * body.inverse_inner;
         z.normal[k] = wn + body.inner * square(rate, k);
         z.friction[k] = sticks ? T(rolling * wt) : T(-smu * z.normal[k]);
+        if (drags && sticks) z.friction[k] -= rolling * apart * body.inner * rate[k];
         spin_rate[k] = by_force * z.friction[k];
-        integrate(k, rate[k], T(0), sticks ? T(0) : T(wt + z.friction[k] * grip), slip_power(k));
+        T ut_rate = sticks ? T(0) : T(wt + z.friction[k] * grip);
+        if (drags) {
+            spin_rate[k] -= floor.spin_drag * z.spin[k];
+            if (!sticks) ut_rate -= floor.drag * body.inner * rate[k] + floor.spin_drag * alpha * z.spin[k];
+        }
+        integrate(k, rate[k], T(0), ut_rate, slip_power(k));
     }
 
     /// Its own turn alone: S′ = αβ sin(ψ + χ)/(I + α²).
@@ -202,9 +225,15 @@ struct Builder {
         torque.extend(T(z.psi[k] + z.chi[k]), k);
         spin2[k] = square(z.spin, k);
         spin_rate[k] = torque.sine(k);
+        if (drags) spin_rate[k] -= about_vertex * z.spin[k];
         const Two<T> inwards = product(spin2, r.both, k), along = product(spin_rate, r.both, k);
         z.normal[k] = swirl.cosine(k) - (along[0] + inwards[1]);
         z.friction[k] = swirl.sine(k) - (along[1] - inwards[0]);
+        if (drags) {
+            const Two<T> turning = product(z.spin, r.both, k);
+            z.normal[k] -= floor.drag * turning[0];
+            z.friction[k] -= floor.drag * turning[1];
+        }
         integrate(k, T(0), z.spin[k], T(0), T(0));
     }
 
@@ -223,11 +252,15 @@ struct Builder {
         if (k == 0) per_stiffness_now = T(1) / z.stiffness[0];
         const Two<T> inwards = product(spin2, r.both, k), along = product(spin_rate, r.both, k);
         const Two<T> by_normal = product(z.normal, pushed, k);
-        const T pull = swirl.cosine(k) + squares[1] - inwards[1] - along[0];
+        T pull = swirl.cosine(k) + squares[1] - inwards[1] - along[0];
+        const Two<T> turning = drags ? product(z.spin, r.both, k) : Two<T>();
+        if (drags) pull += floor.spin_drag * z.spin[k] * tangential[0] - floor.drag * turning[0];
         z.normal[k] = (pull - (body.inverse_inertia * tangential[0]) * by_normal[0]) * per_stiffness_now;
         z.friction[k] = -smu * z.normal[k];
         spin_rate[k] = body.inverse_inertia * (by_normal[0] + z.normal[k] * lever[0]);
-        const T ut_rate = (along[1] - swirl.sine(k) - inwards[0]) + (z.friction[k] + spin_rate[k] * r.cosine(0));
+        if (drags) spin_rate[k] -= floor.spin_drag * z.spin[k];
+        T ut_rate = (along[1] - swirl.sine(k) - inwards[0]) + (z.friction[k] + spin_rate[k] * r.cosine(0));
+        if (drags) ut_rate -= floor.drag * (z.ut[k] - turning[1]);
         const T power = dissipates ? T(-smu * (by_normal[1] + z.normal[k] * z.ut[0])) : T(0);
         integrate(k, z.ut[k], z.spin[k] - z.ut[k], ut_rate, power);
     }
@@ -240,7 +273,8 @@ struct Builder {
             z.friction[k] = -d * wt;
             return integrate(k, z.spin[k], T(0), T(0), T(0));
         }
-        const T lean = -wt * lean_share;
+        T lean = -wt * lean_share;
+        if (drags) lean += apart * d * z.spin[k] * lean_share;
         spin2[k] = square(z.spin, k);
         const T sum_of_two = (wn + d * spin2[k] - smu * lean) * per_stiffness;
         const T difference = (smu * sum_of_two * uneven + lean) * per_s;
@@ -248,6 +282,7 @@ struct Builder {
         z.second[k] = T(0.5) * (sum_of_two - difference);
         z.friction[k] = -smu * sum_of_two;
         spin_rate[k] = (z.friction[k] + d * wt) * inverse_inertia;
+        if (drags) spin_rate[k] -= about_middle * z.spin[k];
         integrate(k, z.spin[k], T(0), spin_rate[k], slip_power(k));
     }
 };

@@ -11,7 +11,7 @@ template <class T>
 ContactScene<T> contact_scene(const Body<T>& body, const T& mu, const T& restitution, ImpactRule rule) {
     using std::asin;
     using std::sin;
-    ContactScene<T> scene{body, mu, restitution, rule, T(0), T(0), T(0)};
+    ContactScene<T> scene{body, mu, restitution, rule, T(0), T(0), T(0), {}};
     if (!scene.is_disk()) {
         scene.half_chord = asin(body.alpha * sin(T(0.5) * body.spacing));
         scene.widest_chi = T(0.5) * body.spacing - scene.half_chord;
@@ -31,7 +31,10 @@ ContactScene<double> in_double(const ContactScene<T>& scene) {
                           Law::poisson,  // `rule` stays
                           number(scene.inertia_factor())};
     rounded.tangential_restitution = number(scene.body.tangential_restitution);
-    return contact_scene(make_body(rounded), rounded.mu, rounded.restitution, scene.rule);
+    ContactScene<double> contact = contact_scene(make_body(rounded), rounded.mu, rounded.restitution, scene.rule);
+    const ContactFloor<T>& floor = scene.floor;
+    contact.floor = {floor.drags, number(floor.drag), number(floor.spin_drag), number(floor.tilt)};
+    return contact;
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "map/model/impact.hpp"
+#include "map/model/scene.hpp"
 #include "map/model/section.hpp"
 
 #include <string_view>
@@ -40,6 +41,16 @@ ContactState<double> in_double(const ContactState<T>& z) {
             static_cast<double>(z.spin)};
 }
 
+/// What a floor that drags (map/dragged/README.md) adds to the motion in contact: −γX′ and −γ_r S, and of a table −iγ
+/// times the swirl's arm. X′ of the centre is, in the axes n and t, (S r_t, u_t − S r_n) of a vertex that is in
+/// contact.
+template <class T>
+struct ContactFloor {
+    bool drags = false;
+    T drag{}, spin_drag{};  ///< γ, γ_r
+    T tilt{};               ///< γ of a table, 0 of a dish: the swirl's force is (1 − iγ[table]) w
+};
+
 /// What sustained contact needs of a scene.
 template <class T>
 struct ContactScene {
@@ -50,6 +61,7 @@ struct ContactScene {
     T widest_chi{};   ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
     T widest_sine{};  ///< sin χ_m
     T half_chord{};   ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
+    ContactFloor<T> floor{};
 
     bool is_disk() const { return body.sides == disk_sides; }
     T inertia_factor() const { return body.inertia / (body.alpha * body.alpha); }
@@ -61,8 +73,26 @@ ContactScene<double> in_double(const ContactScene<T>& scene);
 
 // Compiled once for every number of map_list.hpp, as all of sustained contact.
 
+/// Over a floor that does not drag.
 template <class T>
 ContactScene<T> contact_scene(const Body<T>& body, const T& mu, const T& restitution, ImpactRule rule);
+/// That of a scene, with its floor.
+///   over_floor  with drag of 0, too, along which it is differentiated
+template <class T>
+ContactScene<T> contact_scene(const Body<T>& body, const Scene<T>& scene, ImpactRule rule, bool over_floor = false) {
+    ContactScene<T> contact = contact_scene(body, scene.mu, scene.restitution, rule);
+    if (!over_floor && !scene.has_drag()) return contact;
+    contact.floor = {true, scene.drag, scene.turning_drag(), scene.floor == Floor::table ? scene.drag : T(0)};
+    return contact;
+}
+
+/// The swirl's force on the body along n and t: β(cos ψ, −sin ψ), turned by the table's drag.
+template <class T>
+Vec2<T> swirl_force(const ContactScene<T>& scene, const Vec2<T>& psi) {
+    const T wn = scene.body.beta * psi.x, wt = -scene.body.beta * psi.y;
+    if (!scene.floor.drags) return {wn, wt};
+    return {wn + scene.floor.tilt * wt, wt - scene.floor.tilt * wn};
+}
 
 /// The state in contact just after an impact that left no normal velocity.
 template <class T>

@@ -102,6 +102,14 @@ struct RemainingChatter {
     T along;                 ///< a_t
 };
 
+/// What a floor adds to a_t at u_t = 0: of the centre −γX′, of a vertex −γ_r S r_n besides, of a disk's rim −γ_r αS.
+template <class T>
+T along_by_drag(const ContactScene<T>& scene, const PostImpactState<T>& z) {
+    const ContactFloor<T>& floor = scene.floor;
+    const T rn = scene.is_disk() ? scene.body.alpha : T(scene.body.alpha * z.chi.x);
+    return (floor.drag - floor.spin_drag) * z.spin * rn - floor.tilt * scene.body.beta * z.psi.x;
+}
+
 /// Just after an impact.
 ///   acceleration  a > 0 at rest
 template <class T>
@@ -109,7 +117,9 @@ RemainingChatter<T> remaining_chatter(const ContactScene<T>& scene, const PostIm
                                       const T& acceleration) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T turning = scene.is_disk() ? T(0) : T(post_impact.spin * post_impact.spin * u.rt);
-    return {u, acceleration, T(-scene.body.beta * post_impact.psi.y - turning)};
+    T along = -scene.body.beta * post_impact.psi.y - turning;
+    if (scene.floor.drags) along += along_by_drag(scene, post_impact);
+    return {u, acceleration, along};
 }
 
 /// How far the point that touches goes along the wall until it rests there.
@@ -358,12 +368,15 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
 template <class T>
 T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& ut) {
     const Body<T>& body = scene.body;
-    const T wn = body.beta * post_impact.psi.x;
+    const T wn = swirl_force(scene, post_impact.psi).x;
     if (scene.is_disk()) {
         const T along = ut - body.alpha * post_impact.spin;
         return wn + along * along / body.inner;
     }
-    return wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
+    const T free = wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
+    if (!scene.floor.drags) return free;
+    const T rt = body.alpha * post_impact.chi.y;
+    return free - (scene.floor.drag - scene.floor.spin_drag) * post_impact.spin * rt;
 }
 
 template <class T>

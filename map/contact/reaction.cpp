@@ -19,44 +19,72 @@ T sign_of(ContactMotion motion) {
 }
 
 template <class T>
+Vec2<T> swirl_at(const ContactScene<T>& scene, const T& psi) {
+    return swirl_force(scene, Vec2<T>{cos(psi), sin(psi)});
+}
+
+/// The drag's torque on a body that turns about a point so far from its centre: γd² + γ_r I, by S.
+template <class T>
+T drag_about(const ContactScene<T>& scene, const T& distance) {
+    return scene.floor.drag * distance * distance + scene.floor.spin_drag * scene.body.inertia;
+}
+
+template <class T>
 Reaction<T> on_rim(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
     const Body<T>& body = scene.body;
-    const T wn = body.beta * cos(z.psi), wt = -body.beta * sin(z.psi);
+    const ContactFloor<T>& floor = scene.floor;
+    const Vec2<T> w = swirl_at(scene, z.psi);
+    const T &wn = w.x, &wt = w.y;
     const T rho = body.inner, kappa = scene.inertia_factor();
     const T turning = (z.ut - body.alpha * z.spin) / rho;
     Reaction<T> r;
     r.normal = wn + rho * turning * turning;
     if (motion == ContactMotion::sticking) {
         r.friction = -kappa * wt / (T(1) + kappa);
+        if (floor.drags) r.friction += kappa * (floor.drag - floor.spin_drag) * rho * turning / (T(1) + kappa);
         r.reserve = scene.mu * r.normal - abs(r.friction);
     } else {
         r.friction = -scene.mu * sign_of<T>(motion) * r.normal;
         r.ut_rate = wt + r.friction * (T(1) + T(1) / kappa);
+        if (floor.drags) r.ut_rate -= floor.drag * rho * turning + floor.spin_drag * body.alpha * z.spin;
     }
     r.spin_rate = r.friction / (kappa * body.alpha);
+    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin;
     return r;
 }
 
 template <class T>
 Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
     const Body<T>& body = scene.body;
-    const T wn = body.beta * cos(z.psi), wt = -body.beta * sin(z.psi);
+    const ContactFloor<T>& floor = scene.floor;
+    const Vec2<T> w = swirl_at(scene, z.psi);
+    const T &wn = w.x, &wt = w.y;
     const T rn = body.alpha * cos(z.chi), rt = body.alpha * sin(z.chi);
     const T spin2 = z.spin * z.spin;
     Reaction<T> r;
     if (motion == ContactMotion::sticking) {
-        r.spin_rate = (rt * wn - rn * wt) / (body.inertia + body.alpha * body.alpha);
+        const T about_vertex = body.inertia + body.alpha * body.alpha;
+        r.spin_rate = (rt * wn - rn * wt) / about_vertex;
+        if (floor.drags) r.spin_rate -= drag_about(scene, body.alpha) * z.spin / about_vertex;
         r.normal = wn - r.spin_rate * rt - spin2 * rn;
         r.friction = -wt - r.spin_rate * rn + spin2 * rt;
+        if (floor.drags) {
+            r.normal -= floor.drag * z.spin * rt;
+            r.friction -= floor.drag * z.spin * rn;
+        }
         r.reserve = scene.mu * r.normal - abs(r.friction);
         return r;
     }
     const T smu = scene.mu * sign_of<T>(motion);
     r.stiffness = T(1) + rt * (rt - smu * rn) / body.inertia;
-    r.normal = (wn + z.ut * z.ut - spin2 * rn) / r.stiffness;
+    T pull = wn + z.ut * z.ut - spin2 * rn;
+    if (floor.drags) pull -= (floor.drag - floor.spin_drag) * z.spin * rt;
+    r.normal = pull / r.stiffness;
     r.friction = -smu * r.normal;
     r.spin_rate = (rn * r.friction + rt * r.normal) / body.inertia;
+    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin;
     r.ut_rate = wt + r.friction + r.spin_rate * rn - spin2 * rt;
+    if (floor.drags) r.ut_rate -= floor.drag * (z.ut - z.spin * rn);
     return r;
 }
 
@@ -84,8 +112,10 @@ T edge_reserve(const ContactScene<T>& scene, const T& sum_friction, const T& dif
 template <class T>
 Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
     const Body<T>& body = scene.body;
+    const ContactFloor<T>& floor = scene.floor;
     const T centre = z.psi + scene.half_chord;  // arg X − t
-    const T wn = body.beta * cos(centre), wt = -body.beta * sin(centre);
+    const Vec2<T> w = swirl_at(scene, centre);
+    const T &wn = w.x, &wt = w.y;
     const T c = cos(scene.half_chord), s = sin(scene.half_chord), d = body.outer;
     const T inertia = body.inertia + d * d;
     Reaction<T> r;
@@ -99,7 +129,8 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
         return r;
     }
     const T smu = scene.mu * sign_of<T>(motion);
-    const T lean = -wt * body.inertia / inertia;
+    T lean = -wt * body.inertia / inertia;
+    if (floor.drags) lean += (floor.drag - floor.spin_drag) * d * z.spin * body.inertia / inertia;
     r.stiffness = c + smu * smu * (c - d / inertia);
     const T sum = (wn + d * z.spin * z.spin - smu * lean) / r.stiffness;
     const T difference = (smu * sum * (c - d / inertia) + lean) / s;
@@ -107,6 +138,7 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
     r.second = T(0.5) * (sum - difference);
     r.friction = -smu * sum;
     r.spin_rate = (r.friction + d * wt) / inertia;
+    if (floor.drags) r.spin_rate -= drag_about(scene, d) * z.spin / inertia;
     r.ut_rate = r.spin_rate;
     return r;
 }

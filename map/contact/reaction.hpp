@@ -6,6 +6,10 @@
 //     rim:     λ = w_n + ρν′²,  ρν″ = w_t + f,  I S′ = α f   (ρ = 1 − α, ρν′ = u_t − αS)
 //     edge:    both vertices run along the wall, S = ν′: (I + d²) S′ = Σf − dβ sin ψ_c with d the centre's distance and
 //              ψ_c its direction; the radial and tangential balance give both λ.
+// Over a floor that drags (ContactFloor) w is (1 − iγ[table]) w, the centre has −γX′ and S has −γ_r S besides:
+//     vertex:  λ gains −γS r_t, u_t′ gains −γ(u_t − S r_n), S′ gains −γ_r S
+//     rim:     ρν″ gains −γρν′, S′ gains −γ_r S
+//     edge:    (I + d²)S′ gains −(γd² + γ_r I)S, w_t in the balance along the wall −(γ − γ_r) dS.
 // Sliding: f = −μ sign(u_t) λ. Sticking: u_t = 0. Source: Routh's equations of a rigid body with one or two unilateral
 // constraints (Brogliato, Nonsmooth Mechanics, 3rd ed. 2016, ch. 5); derived in map/contact/README.md.
 #pragma once

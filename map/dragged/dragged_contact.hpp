@@ -207,15 +207,15 @@ DraggedStep<T> step_off_the_wall(const Body<T>& body, const DraggedFlight<T>& fl
     }
 }
 
-/// Advances by safe steps from the start until something touches.
+/// Advances by safe steps from the contact's moment until something touches.
+///   off_the_wall  it is the start, on the wall
 template <Shape shape, class T>
-[[gnu::noinline]] void certain_contact(const Body<T>& body, const DraggedFlight<T>& flight,
-                                       DraggedContact<T>& contact) {
+[[gnu::noinline]] void advance_to_contact(const Body<T>& body, const DraggedFlight<T>& flight,
+                                          DraggedContact<T>& contact, bool off_the_wall = false) {
     FirstContact<T>& found = contact.found;
     NearestTwo<T> pair;
-    contact.moment = dragged_instant<shape>(flight, T(0));
     bool last = false;
-    for (bool off_the_wall = flight.start.struck; found.steps < step_limit; off_the_wall = false) {
+    for (; found.steps < step_limit; off_the_wall = false) {
         ++found.steps;
         DraggedStep<T> step;
         if (off_the_wall)
@@ -257,7 +257,8 @@ void first_contact(const Body<T>& body, const DraggedFlight<T>& flight, DraggedC
         }
         contact.found = FirstContact<T>{};
     }
-    detail::certain_contact<shape>(body, flight, contact);
+    contact.moment = dragged_instant<shape>(flight, T(0));
+    detail::advance_to_contact<shape>(body, flight, contact, flight.start.struck);
 }
 
 }  // namespace swirl

@@ -17,7 +17,7 @@ enum class Outcome {
                ///< would be no number (`is_out_of_range`)
     unresolved,  ///< a flight outlasted the step limit of the search, or no contact motion was consistent
     riding,      ///< a dish whose floor drags: the body goes along with it and never meets the wall again (proven)
-    contact_with_drag  ///< a floor that drags: impacts die out and contact begins, which is not followed with drag yet
+    contact_with_drag  ///< of records up to November 2026 alone: contact over a floor that drags began
 };
 
 /// True if the body was on the wall at the end.

@@ -90,10 +90,17 @@ private:
 /// last three coordinates) are measured in units of `speed`, so that the rank does not depend on how slow a body is.
 Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& derivative, double speed);
 
-/// The impact after a release: `leaving` with u_n = 0, which it has in every neighbour too.
+/// A map over Jets, and whether it is one over a floor that drags (dragged_return_derivative.hpp).
 template <class Map, class J>
-PostImpactState<J> impact_after_release(const CollisionMap<J, Map::shape, Map::rule>& map, PostImpactState<J> leaving,
-                                        const ReturnStep<double>& known, const ContactPhase<double>& phase) {
+struct InJets {
+    using Collisions = CollisionMap<J, Map::shape, Map::rule>;
+    static constexpr bool over_floor = false;
+};
+
+/// The impact after a release: `leaving` with u_n = 0, which it has in every neighbour too.
+template <class Map, class JetMap, class J>
+PostImpactState<J> impact_after_release(const JetMap& map, PostImpactState<J> leaving, const ReturnStep<double>& known,
+                                        const ContactPhase<double>& phase) {
     leaving.vn = leaving.vn - contact_kinematics(map.body(), leaving).un;
     const double flown = known.collision.flight_time - phase.sums.time;
     int vertex = 0;
@@ -107,8 +114,8 @@ PostImpactState<J> impact_after_release(const CollisionMap<J, Map::shape, Map::r
 template <class Map, class J>
 auto return_in_jets(const ReturnMap<Map>& map, const Scene<J>& scene, const PostImpactState<J>& near,
                     const KnownContact& contact, const ReturnStep<double>& known, long& steps) {
-    const CollisionMap<J, Map::shape, Map::rule> jets(scene);
-    const ContactScene<J> in_contact = contact_scene(jets.body(), scene.mu, scene.restitution, Map::rule);
+    const typename InJets<Map, J>::Collisions jets(scene);
+    const ContactScene<J> in_contact = contact_scene(jets.body(), scene, Map::rule, InJets<Map, J>::over_floor);
     const ContactPhase<double>& phase = contact.phase;
     PostImpactState<J> end = contact_along(map.contact(), in_contact, phase, contact.landing(in_contact, near),
                                            contact.vertex_step(), &steps);

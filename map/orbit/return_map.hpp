@@ -26,6 +26,35 @@ struct ReturnStep {
     std::vector<ContactSegment> contacts;
 };
 
+// What a flight of a map is beside its collision; a map over a floor that drags has its own (dragged_return.hpp).
+
+/// ∫ S dt.
+template <class Map, class T>
+[[gnu::always_inline]] inline T turned_in_flight(const Map&, const T& spin, const T& time) {
+    return spin * time;
+}
+
+/// How an orbit ends that meets the wall no more.
+template <class Map>
+Outcome ending_without_contact(const Map&) {
+    return Outcome::no_contact;
+}
+
+/// The first impact after a release; nothing where the flight can't be begun so (`contact_after_release`).
+template <class Map, class T>
+std::optional<Collision<T>> collision_after_release(const Map& map, const Flight<T>& flight) {
+    const auto contact = contact_after_release<Map::shape>(map.body(), flight);
+    if (!contact) return {};
+    Collision<T> collision;
+    if (contact->outcome == FirstContactOutcome::contact)
+        map.strike(flight, contact->at, contact->arm, contact->vertex, collision);
+    collision.outcome = contact->outcome;
+    collision.steps = contact->steps;
+    collision.vertex_step = contact->vertex;
+    collision.simultaneous = contact->simultaneous;
+    return collision;
+}
+
 /// How many power series a return step took in contact.
 template <class T>
 long contact_steps(const ReturnStep<T>& step) {
@@ -63,7 +92,7 @@ public:
         const auto& s = map.scene();
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
-        contact_ = contact_scene(map.body(), s.mu, s.restitution, Map::rule);
+        contact_ = contact_scene(map.body(), s, Map::rule);
     }
 
     const Map& map() const { return map_; }
@@ -139,7 +168,7 @@ private:
             case FirstContactOutcome::contact:
                 return Outcome::completed;
             case FirstContactOutcome::no_contact:
-                return Outcome::no_contact;
+                return ending_without_contact(map_);
             case FirstContactOutcome::sustained:
                 return contact_ ? Outcome::unresolved : Outcome::resting;
             case FirstContactOutcome::unresolved:
@@ -162,7 +191,7 @@ template <class Map>
 auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
     ReturnStep<T> return_step;
     map_.advance(flight, return_step.collision);
-    return_step.turned = flight.spin * return_step.collision.flight_time;
+    return_step.turned = turned_in_flight(map_, flight.spin, return_step.collision.flight_time);
     return_step.outcome = outcome_of(return_step.collision.outcome);
     end_before_no_number(return_step);
     return return_step;
@@ -192,7 +221,7 @@ auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, cons
         fly(collision);
         if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision) &&
             !is_no_number(collision)) [[likely]] {
-            return_step.turned = post_impact.spin * collision.flight_time;
+            return_step.turned = turned_in_flight(map_, post_impact.spin, collision.flight_time);
             return_step.contact_work = T(0);
             return_step.contacts.clear();
             return return_step.outcome = Outcome::completed;
@@ -230,16 +259,8 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
 
 template <class Map>
 auto ReturnMap<Map>::fly_off(const Flight<T>& flight) const -> Collision<T> {
-    const auto contact = contact_after_release<shape>(map_.body(), flight);
-    if (!contact) return map_.advance(flight);
-    Collision<T> collision;
-    if (contact->outcome == FirstContactOutcome::contact)
-        map_.strike(flight, contact->at, contact->arm, contact->vertex, collision);
-    collision.outcome = contact->outcome;
-    collision.steps = contact->steps;
-    collision.vertex_step = contact->vertex;
-    collision.simultaneous = contact->simultaneous;
-    return collision;
+    const std::optional<Collision<T>> collision = collision_after_release(map_, flight);
+    return collision ? *collision : map_.advance(flight);
 }
 
 template <class Map>
@@ -262,7 +283,7 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
         const Flight<T> flight = flight_from(map_.body(), leaving);
         collision = fly_off(flight);
         flight_time = collision.flight_time;
-        flight_turned = flight.spin * flight_time;
+        flight_turned = turned_in_flight(map_, flight.spin, flight_time);
         flight_normal = collision.normal;
         return_step.outcome = outcome_of(collision.outcome);
     } else {

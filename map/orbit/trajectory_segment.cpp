@@ -60,8 +60,7 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
 
 TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)
     // The law plays no part between impacts.
-    : scene_(contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson)),
-      floor_(floor_drag(scene)) {}
+    : scene_(contact_scene(make_body(scene), scene, ImpactRule::poisson)), floor_(floor_drag(scene)) {}
 
 ContactSink TrajectorySegmenter::sink() {
     return [this](const ContactSums<double>& sums, Support support, ContactMotion motion,

@@ -4,6 +4,7 @@ cycles and steady modes."""
 from mpmath import mp, mpc, mpf
 
 import dragged
+import dragged_contact
 import tangential
 from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
@@ -24,6 +25,8 @@ def digits_of(entry):
     """Significant digits of the decimal strings of an entry."""
     if "collisions" in entry:
         return ORBIT_DIGITS
+    if "event" in entry:
+        return dragged_contact.DIGITS
     if "samples" in entry:
         return CONTACT_DIGITS
     return FIXED_POINT_DIGITS if "branch" in entry else CYCLE_DIGITS
@@ -129,6 +132,8 @@ def searched_fixed_points(scene_fields, longest):
 def recomputed(entry):
     if "collisions" in entry:
         return orbit(entry)
+    if "event" in entry:
+        return dragged_contact.contact_motion_over_floor(entry)
     if "samples" in entry:
         return contact_orbit(entry, CONTACT_DIGITS)
     if "branch" in entry:

@@ -222,7 +222,7 @@ class Scene:
         outcome : ndarray of int8, shape (n,); a word of one state
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
             "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
-            impact (u_n > 0, or a vertex outside), and of a floor that drags "riding" and "contact-with-drag".
+            impact (u_n > 0, or a vertex outside), and of a floor that drags "riding".
 
         Notes
         -----

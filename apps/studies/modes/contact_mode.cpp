@@ -65,7 +65,7 @@ void ContactTail::add(const ContactSums<double>& sums, Support support, ContactM
     }
     last_time_ = sums.time;
     last_loss_ = loss;
-    if (!slips && support == Support::rim) note_rolling(share, state);
+    if (!slips && support == Support::rim && !scene_.floor.drags) note_rolling(share, state);
     if (sums.time < 0.5 * followed_) return;
     samples_.push_back({sums.time, state.psi, normal_rate(scene_, support, state) - 1, state.spin, sums.turned});
     on_edge_ = on_edge_ && support == Support::edge;
@@ -99,9 +99,39 @@ std::optional<RimPendulum> ContactTail::settles_on(const analysis::Swing& swing)
     return std::abs(swing.mean - mean) <= nearly * std::max(1.0, std::abs(mean)) ? settled : std::nullopt;
 }
 
+/// S to which the drag brings a disk that it still slows. With E = ½(1 + κ)ρψ′² plus the swirl's and the drag's
+/// potentials, E′ = −(γ + κγ_r)ρψ′²: a disk that rolls and turns back is in a well, and swings less and less about its
+/// bottom, where ψ′ = 0. Nothing of others.
+std::optional<double> ContactTail::spin_over_floor() const {
+    if (!scene_.floor.drags || !scene_.is_disk() || was_cut()) return {};
+    if (scene_.mu == 0) return scene_.floor.spin_drag > 0 ? std::optional(0.0) : std::nullopt;
+    const auto goes = [&](int sign) {
+        return std::any_of(samples_.begin(), samples_.end(),
+                           [&](const analysis::SwingSample& sample) { return sign * sample.rate > 0; });
+    };
+    return !slides_ && goes(1) && goes(-1) ? std::optional(-scene_.body.inner / scene_.body.alpha) : std::nullopt;
+}
+
+bool ContactTail::judge_over_floor(const analysis::Swing& swing, analysis::Classification& verdict) const {
+    const std::optional<double> spin = spin_over_floor();
+    if (!spin) return false;
+    verdict.kind = scene_.mu > 0 ? analysis::Kind::rolling : analysis::Kind::sliding;
+    verdict.mode = analysis::Mode::steady;
+    verdict.mean = *spin;
+    verdict.evidence.push_back({"time in contact", followed_, contact_horizon,
+                                "there was no impact: the body stays on the wall",
+                                "an impact before that: the orbit of its impacts gives the mode"});
+    verdict.evidence.push_back({"range of S", swing.range, rest,
+                                scene_.mu > 0 ? "the drag takes what is left of the swing about the place of rest"
+                                              : "without friction the drag alone changes S, until it is 0",
+                                "no drag: quasi-steady, if periodic"});
+    return true;
+}
+
 bool ContactTail::judge(analysis::Classification& verdict) const {
     using analysis::Kind, analysis::Mode;
     const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular, nearly);
+    if (judge_over_floor(swing, verdict)) return true;
     const auto settled = settles_on(swing);
     const bool constant = swing.range <= rest;
     verdict.kind = settled && !constant ? (settled->turns() ? Kind::rolling_circulating : Kind::rolling_librating)

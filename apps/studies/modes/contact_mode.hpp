@@ -26,13 +26,17 @@ public:
     /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame, or S constant: rolling, steady;
     /// swinging or turning on with a period, or settling on one: quasi-steady; slipping, unless that dies out: sliding;
     /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is
-    /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's.
+    /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's. Over a floor
+    /// that drags a rolling disk that has turned back once does so for ever less, and comes to rest: rolling, S = −ρ/α;
+    /// one without friction ceases to turn.
     /// @return true if nothing changes any more: a longer look would show the same
     bool judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }
 
 private:
     void note_rolling(double share, const ContactState<double>& state);
+    std::optional<double> spin_over_floor() const;
+    bool judge_over_floor(const analysis::Swing& swing, analysis::Classification& verdict) const;
     bool was_cut() const;  ///< contact was not followed as far as was asked for
     bool slip_dies() const;
     std::optional<RimPendulum> settles_on(const analysis::Swing& swing) const;

@@ -46,8 +46,7 @@ std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, 
     return done;
 }
 
-/// The dynamics of CollisionMap, or of DraggedMap: over a floor that drags there are no lanes, and no sustained
-/// contact: an orbit ends where it begins (`Outcome::contact_with_drag`).
+/// The dynamics of CollisionMap, or of DraggedMap: over a floor that drags there are no lanes.
 template <class Map_>
 class DynamicsInDouble final : public SceneDynamics<section_dimension<Map_::shape>> {
 public:
@@ -67,12 +66,7 @@ public:
         return std::make_shared<const DynamicsInDouble>(scene, &body());
     }
     const Body<double>& body() const override { return map_.body(); }
-    const ContactScene<double>& contact() const override {
-        if constexpr (drags)
-            no_contact();
-        else
-            return return_map_.contact();
-    }
+    const ContactScene<double>& contact() const override { return return_map_.contact(); }
 
     Step first_impact(const LabStart<double>& start) const override {
         return return_map_.advance(flight_from(body(), start));
@@ -108,24 +102,16 @@ public:
     }
     analysis::Vector<section_dimension<Map::shape>> along(const State& z, const Step& known,
                                                           Parameter parameter) const override {
-        if constexpr (!drags) {
-            if (parameter == Parameter::drag)
-                throw std::logic_error("along drag the map is that over a floor that drags");
-            if (!known.contacts.empty())
-                return derivative_along_contact(return_map_, parameter, section_point(z), known);
-        }
-        return derivative_along(map_, parameter, z, known.collision);
+        if (!drags && parameter == Parameter::drag)
+            throw std::logic_error("along drag the map is that over a floor that drags");
+        if (known.contacts.empty()) return derivative_along(map_, parameter, z, known.collision);
+        return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        if constexpr (drags)
-            no_contact();
-        else
-            return derivative_through_contact(return_map_, z, known, &series);
+        return derivative_through_contact(return_map_, z, known, &series);
     }
 
 private:
-    [[noreturn]] static void no_contact() { throw std::logic_error("contact is not followed over a floor that drags"); }
-
     Map map_;
     ReturnMap<Map> return_map_;  ///< refers to it
 };

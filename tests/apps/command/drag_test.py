@@ -131,7 +131,24 @@ class Drag(unittest.TestCase):
         self.assertEqual(rides["outcome"], "riding")
         disk = document("simulate --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.1 "
                         "--collisions 10000", 3)
-        self.assertEqual(disk["outcome"], "contact-with-drag")
+        self.assertEqual(disk["outcome"], "in-contact")
+
+    def test_a_disk_that_comes_to_roll_is_locked_where_describe_says(self):
+        scene = "--sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5"
+        for floor in ("dish", "table"):
+            dragged = f"{scene} --drag 0.1 --floor {floor}"
+            floor_facts = document(f"describe {dragged}")["floor"]
+            found = document(f"classify {dragged}")
+            self.assertEqual([found[key] for key in ("mode", "kind", "outcome")], ["steady", "rolling", "in-contact"])
+            self.assertAlmostEqual(found["mean_S"], floor_facts["locked_S"], delta=1e-9)
+            last = document(f"simulate {dragged} --collisions 10000", 3)["contacts"][-1]
+            self.assertEqual((last["support"], last["motion"]), ("rim", "rolling"))
+            self.assertAlmostEqual(math.remainder(last["psi_end"] - floor_facts["locked_psi"], math.tau), 0, delta=1e-9)
+            self.assertAlmostEqual(last["spin_end"], floor_facts["locked_S"], delta=1e-9)
+        # Without friction nothing but the drag turns it, until it does not turn.
+        slides = document("classify --sides disk --alpha 0.4 --beta 0.5 --mu 0 --restitution 0.5 --drag 0.1 --spin 2 "
+                          "--vx 0.3 --x 0.5")
+        self.assertEqual((slides["mode"], slides["kind"], slides["mean_S"]), ("steady", "sliding", 0))
 
     def test_a_body_that_rides_is_steady(self):
         """S = 0, and the room at the wall is that of where the drag leaves the body, from its last impact alone."""

@@ -36,7 +36,8 @@ struct DragFit {
 
 /// γ by least squares over the places of all parts, each with an A and B of its own (variable projection,
 /// Gauss–Newton), Tukey's biweight over the parts: an impact that was not seen bends its arc more than noise does. The
-/// error is the larger one of that of the noise and that of how the parts scatter. O(frames).
+/// error is the larger one of that of the noise and that of how the parts scatter, longer for few parts as Student's
+/// interval is. O(frames).
 ///   frames  in the laboratory, film.kept of straight arcs;   noise  of x or y in one frame
 DragFit fit_drag(std::span<const FilmFrame> frames, std::span<const ArcPart> parts, const FloorMotion& floor,
                  double noise);

@@ -28,9 +28,10 @@ angle a to the wall's normal (a diameter if a = 0). A small swirl feeds those wh
 grows as (3/4 K beta^2 n)^(1/3) after n impacts, for ever) or `limit` (up to the speed v*, where S = S*). They attract if
 |pair| < 1. With e < 1 the loss of impacts balances a diameter's gain at J*.
 
-Of a floor that drags (--drag) it says what is known of that alone: on which circle a body rides along with a dish that it
-does not touch, and whether a disk on the wall rolls locked to the swirl: (gamma + kappa gamma_r) rho <= beta (on a table,
-beta sqrt(1 + gamma^2)), rho = 1 - alpha.
+Of a floor that drags (--drag) it says what is known of that alone: whether and on which circle a body rides along with a
+dish that it does not touch, and whether a disk on the wall rolls locked to the swirl: (gamma + kappa gamma_r) rho <= beta
+(on a table, beta sqrt(1 + gamma^2)), rho = 1 - alpha. Its steady modes solve three equations, and are looked for on a grid
+(|S| <= 10): each is confirmed by the map, but some may be missed.
 
 Examples:
   swirl describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.2

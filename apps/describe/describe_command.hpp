@@ -4,11 +4,13 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/record_files.hpp"
+#include "apps/output/table.hpp"
 #include "map/chords/chord_fate.hpp"
 #include "map/steady/edge_rest.hpp"
 #include "map/steady/scene_facts.hpp"
 #include "map/steady/steady_modes.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,14 +61,20 @@ struct Description {
 /// @throws std::invalid_argument if a parameter is out of range
 Description description_of(const Scene<double>& scene, double max_time);
 
+/// Steady modes as rows; `d` coordinates in a record.
+///   numbered  the list whose modes a table for people numbers, if any
+Table<SteadyMode> mode_table(bool disk, std::size_t d, const std::vector<SteadyMode>* numbered = nullptr);
+void write_modes(const RecordGroup& group, bool disk, const std::vector<SteadyMode>& modes);
+
 void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
 void print_description(const Description& d, const std::optional<Units>& units);
 /// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes, families, chords and rests (if there are
 /// any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
 
-/// Of a floor that drags: what is known of it alone (map/dragged/floor_facts.hpp), to the document, the table and a
-/// record, which it finishes: groups scene, settings and floor (attributes).
+/// Of a floor that drags: what is known of it alone (map/dragged/floor_facts.hpp) and its steady modes (dragged_modes),
+/// to the document, the table and a record, which it finishes: groups scene, settings, floor (attributes) and
+/// steady_modes.
 int describe_floor(const DescribeOptions& options, const Scene<double>& scene, std::optional<RecordWriter>& record);
 
 int describe(DescribeOptions& options);

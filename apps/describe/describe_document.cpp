@@ -110,9 +110,9 @@ analysis::Stability stability_of_mode(const SteadyMode& mode) {
     return analysis::stability_of(mode.multipliers);
 }
 
-/// Steady modes; `d` coordinates.
-///   numbered  the list whose modes a table for people numbers, if any
-Table<SteadyMode> mode_table(bool disk, std::size_t d, const std::vector<SteadyMode>* numbered = nullptr) {
+}  // namespace
+
+Table<SteadyMode> mode_table(bool disk, std::size_t d, const std::vector<SteadyMode>* numbered) {
     using F = Field<SteadyMode>;
     const auto point = [disk](const SteadyMode& m) { return coordinates_of(m.point, disk); };
     const auto list = [point](const SteadyMode& m) {
@@ -152,6 +152,8 @@ Table<SteadyMode> mode_table(bool disk, std::size_t d, const std::vector<SteadyM
                  .shown("stability", "  {}"),
              {"residual", &SteadyMode::residual, "1", "largest |F(z) - z|"}}};
 }
+
+namespace {
 
 /// Families over the flight time, each with the member midway.
 Table<DescribedFamily> family_table(bool disk) {
@@ -323,12 +325,15 @@ void write_description_record(const RecordGroup& root, const Description& d, con
     if (!d.chords.empty()) write_record(root.group("chords"), chord_table(), d.chords);
     if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
     if (!d.rests.empty()) write_record(root.group("rests"), rest_table(d.scene), d.rests);
-    const RecordGroup group = root.group("steady_modes");
-    if (d.steady.modes.empty()) return;
+    write_modes(root.group("steady_modes"), disk, d.steady.modes);
+}
+
+void write_modes(const RecordGroup& group, bool disk, const std::vector<SteadyMode>& modes) {
+    if (modes.empty()) return;
     const int coordinates = disk ? disk_dimension : polygon_dimension;
     write_coordinate_names(group, coordinates);
     group.dimension("multiplier_index", static_cast<std::uint64_t>(coordinates));
-    write_record(group, mode_table(disk, static_cast<std::size_t>(coordinates)), d.steady.modes);
+    write_record(group, mode_table(disk, static_cast<std::size_t>(coordinates)), modes);
 }
 
 }  // namespace swirl::apps::describe

@@ -1,6 +1,7 @@
 // What `swirl describe` says of a floor that drags.
 #include "apps/describe/describe_command.hpp"
 #include "apps/output/write_table.hpp"
+#include "map/dragged/dragged_modes.hpp"
 #include "map/dragged/floor_facts.hpp"
 #include "map/steady/scene_facts.hpp"
 
@@ -69,15 +70,30 @@ Table<DescribedFloor> floor_table() {
              F{"locking", locking_in_words, no_column}.table_only().shown("a disk rolls locked to the swirl", "{}")}};
 }
 
+void print_floor(const DescribedFloor& d, const DraggedModes& found) {
+    fmt::print("{}\n{}{}", scene_in_words(d.scene), units_in_words(d.units),
+               shown_lines_of(in_units(floor_table(), d.units), d));
+    fmt::print("  steady modes by impacts with tau <= {}, on a grid: {}\n",
+               with_unit(found.searched_to, d.units, "1/omega_s"), found.modes.size());
+    if (!found.modes.empty())
+        print_table(in_units(mode_table(d.scene.is_disk(), 0, &found.modes), d.units), found.modes);
+}
+
 }  // namespace
 
 int describe_floor(const DescribeOptions& options, const Scene<double>& scene, std::optional<RecordWriter>& record) {
     const DescribedFloor d{scene, scene_facts(scene), floor_facts(scene), options.scene.units()};
-    const Settings settings = {{"accuracy", options.output.accuracy_name}};
+    const bool disk = scene.is_disk();
+    const DraggedModesOptions search{.longest_flight = options.max_time};
+    const DraggedModes found = dragged_modes(scene, search);
+    const Settings settings = {{"max_time", search.longest_flight},
+                               {"fastest_spin", search.fastest_spin},
+                               {"accuracy", options.output.accuracy_name}};
     if (record) {
         write_scene(record->root(), scene);
         write_attributes(record->root().group("settings"), settings);
         write_attributes(record->root().group("floor"), floor_table(), d);
+        write_modes(record->root().group("steady_modes"), disk, found.modes);
         record->finish();
     }
     if (options.output.json)
@@ -85,10 +101,12 @@ int describe_floor(const DescribeOptions& options, const Scene<double>& scene, s
             write_scene(json, scene, options.scene);
             json.key("floor");
             write_object(json, floor_table(), d);
+            write_json(json, "steady_modes", mode_table(disk, 0), found.modes);
+            json.member("searched_to", found.searched_to);
             write_json(json, "settings", settings);
         });
     else if (!options.output.quiet)
-        fmt::print("{}\n{}", scene_in_words(scene), shown_lines_of(floor_table(), d));
+        print_floor(d, found);
     return exit_done;
 }
 

@@ -1,6 +1,7 @@
 // Steady modes over a floor that drags: solutions of three equations are fixed points of the map, and its fixed points
 // solve them. And what is known in closed form of riding and of rolling locked to the swirl.
 #include "map/dragged/dragged_derivative.hpp"
+#include "map/dragged/dragged_modes.hpp"
 #include "map/dragged/floor_facts.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/dragged_draw.hpp"
@@ -105,6 +106,35 @@ bool is_start(const Map& map, const SectionPoint<double>& z) {
     } catch (const std::invalid_argument&) {
         return false;
     }
+}
+
+/// What Newton's method finds from random starts, and the map confirms, is in the list made on a grid.
+TEST(DraggedSteady, TheListHasWhatRandomStartsFind) {
+    tests::DraggedDraw draw(5);
+    int found = 0, missing = 0;
+    for (const Floor floor : {Floor::dish, Floor::table}) {
+        const Scene<double> scene = hexagon(0.3, 0.2, floor);
+        const Map map(scene);
+        const DraggedModes listed = dragged_modes(scene, {.longest_flight = 6, .fastest_spin = 6});
+        EXPECT_EQ(listed.searched_to, 6);
+        for (int i = 0; i < 400; ++i) {
+            const Unknowns start{draw.uniform(0.1, 6), draw.uniform(-3.14, 3.14), draw.uniform(-0.3, 0.3)};
+            const int j = static_cast<int>(draw.uniform(-3, 9));
+            const auto x = solved<rule>(scene, start, j);
+            if (!x || (*x)[0] > 6) continue;
+            const Mode mode = mode_of<rule>(scene, *x, j);
+            if (std::abs(mode.z.spin) > 6 || !is_start(map, mode.z)) continue;
+            const auto next = map.advance(post_impact_state(mode.z));
+            if (std::abs(next.flight_time - (*x)[0]) > 1e-9) continue;
+            ++found;
+            missing += std::none_of(listed.modes.begin(), listed.modes.end(), [&](const SteadyMode& other) {
+                return other.j == j && apart(other.point, mode.z) < 1e-7;
+            });
+        }
+    }
+    std::printf("  %d times one was found, %d times one that is not listed\n", found, missing);
+    EXPECT_GT(found, 20);
+    EXPECT_EQ(missing, 0);
 }
 
 TEST(DraggedSteady, SolutionsOfTheThreeEquationsAreFixedPoints) {

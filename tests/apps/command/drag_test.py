@@ -141,10 +141,14 @@ class Drag(unittest.TestCase):
             found = document(f"classify {dragged}")
             self.assertEqual([found[key] for key in ("mode", "kind", "outcome")], ["steady", "rolling", "in-contact"])
             self.assertAlmostEqual(found["mean_S"], floor_facts["locked_S"], delta=1e-9)
-            last = document(f"simulate {dragged} --collisions 10000", 3)["contacts"][-1]
-            self.assertEqual((last["support"], last["motion"]), ("rim", "rolling"))
-            self.assertAlmostEqual(math.remainder(last["psi_end"] - floor_facts["locked_psi"], math.tau), 0, delta=1e-9)
-            self.assertAlmostEqual(last["spin_end"], floor_facts["locked_S"], delta=1e-9)
+            record = self.folder / f"{floor}.h5"
+            run(f"simulate {dragged} --collisions 10000 --sample 100 --quiet -o {record}")
+            with h5py.File(record) as file:
+                t, x, y, spin = (file[f"samples/{name}"][-1] for name in ("t", "x", "y", "spin"))
+            self.assertGreater(t, 500)
+            psi = cmath.phase((complex(x, y) - 0.5 * cmath.exp(1j * t)) * cmath.exp(-1j * t))
+            self.assertAlmostEqual(psi, floor_facts["locked_psi"], delta=1e-9)
+            self.assertAlmostEqual(spin, floor_facts["locked_S"], delta=1e-9)
         # Without friction nothing but the drag turns it, until it does not turn.
         slides = document("classify --sides disk --alpha 0.4 --beta 0.5 --mu 0 --restitution 0.5 --drag 0.1 --spin 2 "
                           "--vx 0.3 --x 0.5")
@@ -163,7 +167,7 @@ class Drag(unittest.TestCase):
             last = document(f"simulate {scene} --collisions 1000", 3)["collisions"][-1]
             response = 1 / complex(1, -gamma) if floor == "dish" else 1
             normal = cmath.exp(1j * (last["psi"] + last["t"]))
-            chi = last["chi"] or 0
+            chi = last.get("chi") or 0
             arm = alpha * normal * cmath.exp(1j * chi)
             swirl = beta * cmath.exp(1j * last["t"])
             velocity = normal * complex(last["vn"], last["vt"])
@@ -240,6 +244,27 @@ class Drag(unittest.TestCase):
                                      "sweep --grid")
                    if any(f"'{name}'" in line and "'drag='" in line for line in script.splitlines())}
         self.assertEqual(offered, {"continue --along", "bifurcate --along", "sweep --grid"})
+
+    def test_steady_modes_are_fixed_points(self):
+        """Each that describe lists comes back to itself; the one that attracts is what an orbit comes to."""
+        scene = f"{HEXAGON} --drag 0.1"
+        record = self.folder / "modes.h5"
+        found = document(f"describe {scene} --max-time 6 -o {record}")
+        modes = found["steady_modes"]
+        self.assertGreaterEqual(len(modes), 4)
+        self.assertEqual(found["searched_to"], 6)
+        for mode in modes:
+            point = ",".join(repr(mode["point"][key]) for key in ("psi", "chi", "vn", "vt", "S"))
+            back = document(f"simulate {scene} --point={point} --collisions 1")["collisions"][0]
+            self.assertAlmostEqual(back["flight_time"], mode["tau"], delta=1e-8)
+            self.assertAlmostEqual(back["spin"], mode["S"], delta=1e-8)
+            self.assertAlmostEqual(back["psi"], mode["point"]["psi"], delta=1e-8)
+        stable = [mode for mode in modes if mode["stability"] == "stable"]
+        settled = document(f"classify {scene}")
+        self.assertEqual((len(stable), settled["kind"]), (1, "fixed-point"))
+        self.assertAlmostEqual(settled["mean_S_per_impact"], stable[0]["S"], delta=1e-9)
+        with h5py.File(record) as file:
+            self.assertEqual(len(file["steady_modes/tau"]), len(modes))
 
     def test_describe_says_what_is_known(self):
         floor = document("describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]

@@ -129,7 +129,7 @@ void write_attributes(const RecordGroup& group, const Settings& settings) {
 }
 
 std::string scene_in_words(const Scene<double>& scene) {
-    const std::string body = scene.is_disk() ? "disk" : fmt::format("{} sides", scene.sides);
+    const std::string body = scene.is_disk() ? "disk" : scene.is_rod() ? "rod" : fmt::format("{} sides", scene.sides);
     const std::string floor = !scene.has_drag() ? ""
                                                 : fmt::format(", {} with drag {:g}, spin drag {:g}",
                                                               name_of(scene.floor), scene.drag, scene.turning_drag());

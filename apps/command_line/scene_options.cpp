@@ -28,7 +28,7 @@ struct SceneName {
 };
 
 const std::array<SceneName, 16> scene_names = {{
-    {"sides", "N: 3 to 1000000, or disk", {"disk"}},
+    {"sides", "N: 2 (a rod) to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
     {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
     {"mu", "mu, coefficient of friction, >= 0"},
@@ -137,9 +137,9 @@ int sides_from(const std::string& text) {
     bool too_large = false;
     const auto value = whole_number_from(text, &too_large);
     if (!value && !too_large)
-        throw BadInput(fmt::format("sides = {} is no whole number: 3 to {}, or disk", text, max_sides));
-    if (!value || *value < 3 || *value > max_sides)
-        throw BadInput(fmt::format("sides = {} is outside its range: 3 to {}, or disk", text, max_sides));
+        throw BadInput(fmt::format("sides = {} is no whole number: 2 to {}, or disk", text, max_sides));
+    if (!value || *value < rod_sides || *value > max_sides)
+        throw BadInput(fmt::format("sides = {} is outside its range: 2 to {}, or disk", text, max_sides));
     return static_cast<int>(*value);
 }
 
@@ -165,6 +165,10 @@ void SceneOptions::refuse_drag() const {
     throw BadInput(
         fmt::format("drag = {}, spin-drag = {}: this command is not extended to a floor that drags; 0 is wanted",
                     text("drag", "0"), text("spin-drag", text("drag", "0"))));
+}
+
+void SceneOptions::refuse_rod() {
+    throw BadInput("sides = 2: this command is not extended to the rod; 3 to 1000000, or disk, is wanted");
 }
 
 void SceneOptions::refuse_tangential_restitution() const {

@@ -14,8 +14,8 @@
 
 namespace swirl::apps {
 
-/// Does a command follow a body over a floor that drags, and a disk whose sticking impacts return slip? One that does
-/// not refuses such a scene.
+/// Does a command follow a body over a floor that drags, a disk whose sticking impacts return slip, and the rod? One
+/// that does not refuses such a scene.
 enum class Extensions { refused, followed };
 
 /// The texts that were given for the scene, by the names of the flags.
@@ -74,6 +74,8 @@ private:
     void require_drag_of_floor() const;
     /// @throws BadInput: a command that does not follow drag
     [[noreturn]] void refuse_drag() const;
+    /// @throws BadInput: a command that does not know the rod
+    [[noreturn]] static void refuse_rod();
     /// @throws BadInput: a command that does not follow tangential restitution
     [[noreturn]] void refuse_tangential_restitution() const;
 
@@ -127,7 +129,8 @@ Scene<T> SceneOptions::scene(Extensions extensions) const {
     require_drag_of_floor();
     if (extensions == Extensions::refused && scene.has_drag()) refuse_drag();
     if (extensions == Extensions::refused && scene.tangential_restitution != T(0)) refuse_tangential_restitution();
-    if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides)) return validated(scene);
+    if (extensions == Extensions::refused && scene.is_rod()) refuse_rod();
+    if (scene.sides != disk_sides && (scene.sides < rod_sides || scene.sides > max_sides)) return validated(scene);
     scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))
                                                  : uniform_inertia_factor<T>(scene.sides);
     return validated(scene);

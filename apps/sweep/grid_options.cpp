@@ -124,8 +124,8 @@ void check_points(const std::string& text, const GridAxis& axis) {
             refuse(text, fmt::format("speed = {} is outside its range: speed >= 0", point));
         else if (axis.name == "sides" && point != std::round(point))
             refuse(text, fmt::format("sides = {} is not a whole number", point));
-        else if (axis.name == "sides" && !axis.in_words && point < 3)
-            refuse(text, fmt::format("sides = {} is outside its range: 3 to {}, or disk in a list", point, max_sides));
+        else if (axis.name == "sides" && !axis.in_words && point < rod_sides)
+            refuse(text, fmt::format("sides = {} is outside its range: 2 to {}, or disk in a list", point, max_sides));
         else if (axis.name == "sides")
             sides_from(word_at(axis, point));
 }

@@ -53,6 +53,9 @@ struct Body {
     /// Below it gaps are known better relative to the vertex that has struck (`short_side_gap`).
     static constexpr double longest_short_side = 1.0 / 32;
 
+    /// tan(π/2), finite: of a rod's ends the one on X's side is nearer, however little.
+    static constexpr double slope_of_rod = 1e40;
+
     /// v turned by 2πk/N, 0 ≤ k < N.
     Vec2<T> turned_to_vertex(const Vec2<T>& v, int k) const {
         if (k == 0) return v;
@@ -141,12 +144,12 @@ inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr
     body.disk_grip = (T(1) + scene.tangential_restitution) * (body.inertia / (body.inertia + body.alpha * body.alpha));
     body.outer = body.inner;
     if (scene.is_disk()) return body;
-    const Vec2<T> half = cis(T(pi<T>() / scene.sides));
+    const Vec2<T> half = scene.is_rod() ? Vec2<T>{T(0), T(1)} : cis(T(pi<T>() / scene.sides));  // 0, not ±ε
     const T across = scene.alpha * half.y;
     body.outer = sqrt(T(1) - across * across) - scene.alpha * half.x;
     body.spacing = T(2 * pi<T>() / scene.sides);
     body.per_spacing = T(1) / body.spacing;
-    body.half_slope = half.y / half.x;
+    body.half_slope = scene.is_rod() ? T(Body<T>::slope_of_rod) : half.y / half.x;
     body.side = T(2) * scene.alpha * half.y;
     body.short_sides = body.side < T(Body<T>::longest_short_side);
     body.next_turn = {T(-2) * half.y * half.y, T(2) * half.y * half.x};

@@ -20,6 +20,8 @@ enum class Floor { dish, table };
 
 /// Number of sides that stands for the disk (N = ∞).
 inline constexpr int disk_sides = 0;
+/// The rod, a segment of length 2R_p whose ends touch.
+inline constexpr int rod_sides = 2;
 inline constexpr int max_sides = 1'000'000;
 /// γ and γ_r in units of ω_s: velocities fall by e in a thousandth of 1/ω_s.
 inline constexpr double largest_drag = 1000;
@@ -27,7 +29,7 @@ inline constexpr double largest_drag = 1000;
 /// A scene, in units of R_c, 1/ω_s and m.
 template <class T = double>
 struct Scene {
-    int sides = 6;    ///< N: 3 … 10⁶, or `disk_sides`
+    int sides = 6;    ///< N: 2 … 10⁶, or `disk_sides`
     T alpha{};        ///< α = R_p/R_c, in (0, 1)
     T beta{};         ///< β = r_s/R_c, ≥ 0
     T mu{};           ///< friction μ, ≥ 0
@@ -40,15 +42,17 @@ struct Scene {
     T tangential_restitution{};  ///< e_t, in [0, 1]; of the disk alone
 
     bool is_disk() const { return sides == disk_sides; }
+    bool is_rod() const { return sides == rod_sides; }
     T turning_drag() const { return spin_drag < T(0) ? drag : spin_drag; }
     bool has_drag() const { return drag != T(0) || turning_drag() != T(0); }
 };
 
-/// κ of the uniform lamina: (2 + cos(2π/N))/6, and ½ for the disk.
+/// κ of the uniform lamina: (2 + cos(2π/N))/6, ½ for the disk, and ⅓ for the rod, whose mass is on its line.
 template <class T>
 inline T uniform_inertia_factor(int sides) {
     using std::cos;
     if (sides == disk_sides) return T(0.5);
+    if (sides == rod_sides) return T(1) / T(3);
     return (T(2) + cos(T(2 * pi<T>() / sides))) / T(6);
 }
 
@@ -121,8 +125,8 @@ inline bool keeps_energy_without_sliding(const Scene<T>& scene) {
 template <class T>
 inline Scene<T> validated(const Scene<T>& scene) {
     using detail::is_holdable;
-    if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides))
-        detail::out_of_range("sides", scene.sides, "3 to 1000000, or disk");
+    if (scene.sides != disk_sides && (scene.sides < rod_sides || scene.sides > max_sides))
+        detail::out_of_range("sides", scene.sides, "2 to 1000000, or disk");
     if (!(scene.alpha > T(0) && scene.alpha < T(1) && is_holdable(scene.alpha)))
         detail::out_of_range("alpha", scene.alpha, "0 < alpha < 1, at least 1e-75");
     if (!(scene.beta >= T(0) && is_holdable(scene.beta)))
@@ -168,6 +172,16 @@ inline Scene<T> without_tangential_restitution(const Scene<T>& scene, const char
         throw std::invalid_argument(
             std::string(what) + " is not extended to tangential restitution (tangential-restitution = " +
             NumberTraits<Plain<T>>::text(plain(scene.tangential_restitution)) + "); 0 is wanted");
+    return scene;
+}
+
+/// The scene, if its body is not the rod.
+///   what  as in `without_drag`
+template <class T>
+inline Scene<T> without_rod(const Scene<T>& scene, const char* what) {
+    if (scene.is_rod())
+        throw std::invalid_argument(std::string(what) +
+                                    " is not extended to the rod (sides = 2); 3 to 1000000, or disk, is wanted");
     return scene;
 }
 

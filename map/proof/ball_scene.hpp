@@ -28,6 +28,7 @@ inline BallScene ball_scene(const Scene<double>& scene) {
     using intervals::decimal;
     without_drag(scene, "a proof");
     without_tangential_restitution(scene, "a proof");
+    without_rod(scene, "a proof");
     BallScene balls;
     balls.sides = scene.sides;
     balls.law = scene.law;

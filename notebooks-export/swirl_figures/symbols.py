@@ -30,7 +30,7 @@ _PARAMETERS = {
 _OBSERVABLES = {"psi": r"angle of the contact $\psi$, in radians", "chi": r"angle about the body $\chi$, in radians",
                 "vn": r"normal velocity $v_n/(R_c\omega_s)$", "vt": r"tangential velocity $v_t/(R_c\omega_s)$", "S": SPIN}
 
-_POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
+_POLYGONS = {2: "rod", 3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
 
 
 def is_parameter(name):
@@ -86,6 +86,8 @@ def _body(sides):
 
 
 def _uniform_inertia(sides):
+    if str(sides) == "2":
+        return 1 / 3
     return 0.5 if sides == "disk" else (2 + math.cos(2 * math.pi / int(sides))) / 6
 
 

@@ -73,10 +73,10 @@ TEST(Scene, EveryParameterOutOfRangeIsRefusedByNameValueAndRange) {
             text << value;  // the shortest number: none of these has more than six digits
             expect_names(refusal_of(scene), wrong.name, text.str(), wrong.range);
         }
-    for (const int sides : {-1, 1, 2, 1'000'001}) {
+    for (const int sides : {-1, 1, 1'000'001}) {
         Scene<double> scene = good_scene();
         scene.sides = sides;
-        expect_names(refusal_of(scene), "sides", std::to_string(sides), "3 to 1000000");
+        expect_names(refusal_of(scene), "sides", std::to_string(sides), "2 to 1000000");
     }
 }
 

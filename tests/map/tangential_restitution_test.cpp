@@ -1,5 +1,6 @@
 // A disk whose sticking impacts return the slip (map/README.md, "Tangential restitution"): the impact, the no-slip
 // billiard in closed form, its limit of rolling, DF and ∂F, reference orbits.
+#include "map/derivative/itinerary_collision.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/derivative/saltation.hpp"
 #include "map/dragged/dragged_derivative.hpp"
@@ -280,6 +281,29 @@ TEST(TangentialRestitution, DerivativesAgree) {
     EXPECT_LE(worst_along, 1e-13);
     for (const ContactMode mode : {ContactMode::sliding, ContactMode::c_sticking, ContactMode::r_sticking})
         EXPECT_GT(count[static_cast<std::size_t>(mode)], 100) << name_of(mode);
+}
+
+/// What decides the contact mode changes sign where the mode changes: (1 + e_t)|u_t| = μB₁(1 + e)u_n, and μB₁u_n.
+TEST(TangentialRestitution, MarginsTellTheMode) {
+    Random random(9);
+    std::array<int, 6> count{};
+    for (int i = 0; i < 1500; ++i) {
+        const Scene<double> scene = random_disk(random);
+        const DiskMap map(scene);
+        const SectionPoint<double> z = tests::random_point(random, scene, random.log_between(0.05, 2));
+        const Collision<double> collision = map.advance(post_impact_state(z));
+        if (collision.outcome != FirstContactOutcome::contact) continue;
+        const auto named = collide_by_itinerary<double, Shape::disk, ImpactRule::poisson>(
+            scene, Parameter::mu, Parameter::tangential_restitution, z, collision.flight_time, 0);
+        ASSERT_EQ(named.mode, collision.impulse.mode);
+        EXPECT_EQ(named.margins.slip > 0, named.mode == ContactMode::sliding);
+        if (named.mode != ContactMode::sliding) {
+            EXPECT_EQ(named.margins.late < 0, named.mode == ContactMode::c_sticking);
+        }
+        ++count[static_cast<std::size_t>(named.mode)];
+    }
+    for (const ContactMode mode : {ContactMode::sliding, ContactMode::c_sticking, ContactMode::r_sticking})
+        EXPECT_GT(count[static_cast<std::size_t>(mode)], 30) << name_of(mode);
 }
 
 /// At e = e_t = 1 without sliding F keeps volumes but for u_n, as without friction: |det DF| = u_n(z)/u_n(F(z)).

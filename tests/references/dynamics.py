@@ -27,6 +27,8 @@ def scene_of(case):
     """The scene of an entry of a reference file: decimal strings, exact to 50 digits. A uniform lamina."""
     sides, alpha = case["sides"], mpf(case["alpha"])
     kappa = (2 + mp.cos(2 * mp.pi / sides)) / 6 if sides else mpf(1) / 2
+    if sides == 2:  # a rod: its mass is on its line
+        kappa = mpf(1) / 3
     return Scene(sides, alpha, mpf(case["beta"]), mpf(case["mu"]), mpf(case["restitution"]), case["law"],
                  kappa * alpha ** 2)
 

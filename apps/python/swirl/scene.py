@@ -49,7 +49,7 @@ class Scene:
     Parameters
     ----------
     sides : int or "disk"
-        N, 3 to 1000000.
+        N, 2 (a rod) to 1000000.
     alpha : float
         R_p/R_c, the body's circumradius over the container's radius, 0 < alpha < 1.
     beta : float

@@ -61,7 +61,7 @@ class Scenes(unittest.TestCase):
             swirl.Scene.from_record("no-such.h5")
 
     def test_wrong_numbers_are_named(self):
-        for wrong, words in (({"sides": 2}, "sides = 2 is outside its range"), ({"alpha": 1}, "alpha"), ({"mu": None}, "--mu is missing"),
+        for wrong, words in (({"sides": 1}, "sides = 1 is outside its range"), ({"alpha": 1}, "alpha"), ({"mu": None}, "--mu is missing"),
                              ({"law": "hertz"}, "law = hertz is none of"), ({"alpha": float("nan")}, "alpha"), ({"mu": True}, "no number")):
             with self.assertRaisesRegex(ValueError, words):
                 swirl.Scene(**{"sides": 6, "alpha": 0.4, "beta": 0.5, "mu": 0.5, "restitution": 0.9, **wrong})

@@ -86,6 +86,20 @@ TEST(BatchEqualityOfStarts, HopsFarShorterThanTheCircumscribedCirclesReturn) {
     }
 }
 
+TEST(BatchEqualityOfRods, HaveTheBitsOfTheScalarMap) {
+    Random random(12);
+    Orbits<Polygon> set;
+    for (long k = 0; k < sample_count(300); ++k) {
+        const double mu = random.log_between(0.01, 2), restitution = random.chance(0.5) ? 1 : random.between(0.3, 1);
+        const Scene<double> scene = random_scene(random, rod_sides, mu, restitution, Law::poisson);
+        set.add(scene, post_impact_state(random_point(random, scene, random.log_between(0.01, 2))), 300);
+    }
+    const Compared rods = compare(set.orbits);
+    std::cout << rods.impacts << " impacts of rods, " << 100 * rods.use.share_left() << " % left their lanes\n";
+    EXPECT_EQ(rods.different, 0);
+    EXPECT_GT(rods.by_lanes, rods.impacts / 4);
+}
+
 TEST(BatchEqualityOfStarts, SpinsThatTurnTheBodyBeyondTheTables) {
     for (const double spin : {30.0, 300.0, 1e4}) {
         const Compared spins = compare_starts(6, 1e-3, 2, spin, 3);  // impacts soon slow the spin

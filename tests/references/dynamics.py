@@ -195,12 +195,18 @@ def impact_at(scene, state, tau, vertex):
     return Impact(tau, vertex, n, arm, p, q, u, after)
 
 
+def first_contact(scene, state, struck=None):
+    return earliest_root(scene.sides or 1, partial(gap, scene, state), curvature_bound(scene, state), struck)
+
+
 def next_impact(scene, state, struck=None):
-    found = earliest_root(scene.sides or 1, partial(gap, scene, state), curvature_bound(scene, state), struck)
-    return impact_at(scene, state, *found)
+    return impact_at(scene, state, *first_contact(scene, state, struck))
+
+
+def same_contact(scene, state, known):
+    """Of a neighbouring orbit: the same vertex, at the neighbouring time."""
+    return touching_time(partial(gap, scene, state), known.vertex, known.flight_time), known.vertex
 
 
 def same_impact(scene, state, known):
-    """The impact of a neighbouring orbit: the same vertex, at the neighbouring time."""
-    tau = touching_time(partial(gap, scene, state), known.vertex, known.flight_time)
-    return impact_at(scene, state, tau, known.vertex)
+    return impact_at(scene, state, *same_contact(scene, state, known))

@@ -7,7 +7,7 @@ gives no more than mu p (O. R. Walton's third coefficient).
 
 from mpmath import mpc, mpf
 
-from dynamics import Impact, State, first_contact, swirl, touching_time
+from dynamics import Impact, State, first_contact, same_contact, swirl
 
 
 def impact_at_end(scene, returned, state, tau):
@@ -33,7 +33,7 @@ def next_impact(scene, returned, state, struck=None):
 
 
 def same_impact(scene, returned, state, known):
-    return impact_at_end(scene, returned, state, touching_time(scene, state, 0, known.flight_time))
+    return impact_at_end(scene, returned, state, same_contact(scene, state, known)[0])
 
 
 def returned_of(case):

@@ -90,7 +90,7 @@ class Lists(Grids):
 
     def test_refusals(self):
         for grid, mention in (("mu=0.1,0.1", "twice"), ("mu=0.1,x", "x"), ("mu=0.1,", "(empty)"), ("mu=0.1,nan", "finite"),
-                              ("sides=3,2", "3 to"), ("sides=3,diskk", "disk"), ("mu=0:1:3:log", "above 0"),
+                              ("sides=3,1", "2 to"), ("sides=3,diskk", "disk"), ("mu=0:1:3:log", "above 0"),
                               ("sides=3:12:3:log", "list"), ("mu=0.1:1:3:lin", "NAME=A:B:COUNT:log"), ("sides=0:3:4", "sides = 0"),
                               ("mu=0.1,0.2 --refine 1", "list"), ("law=poisson:newton:2", "law"), ("foo=1,2", "NAME")):
             name = grid.split("=")[0]

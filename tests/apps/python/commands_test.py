@@ -176,7 +176,7 @@ class Answers(unittest.TestCase):
 
 class Refusals(unittest.TestCase):
     CASES = [
-        ("classify", {"sides": 2, "alpha": 0.4, "beta": 0.5, "mu": 0.5, "restitution": 0.9}),
+        ("classify", {"sides": 1, "alpha": 0.4, "beta": 0.5, "mu": 0.5, "restitution": 0.9}),
         ("classify", {"sides": 6, "alpha": 1.4, "beta": 0.5, "mu": 0.5, "restitution": 0.9}),
         ("classify", {"sides": 6, "alpha": 0.4, "beta": 0.5, "mu": 0.5}),
         ("simulate", {"sides": 6, "alpha": "x", "beta": 0.5, "mu": 0.5, "restitution": 0.9}),

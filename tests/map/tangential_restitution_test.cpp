@@ -9,7 +9,7 @@
 #include "map/orbit/orbit.hpp"
 #include "tests/map/differentiated_map.hpp"
 #include "tests/map/random_scenes.hpp"
-#include "tests/map/reference_error.hpp"
+#include "tests/map/reference_orbits.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
@@ -398,37 +398,11 @@ TEST(TangentialRestitution, LastingContactRolls) {
 /// The 20 orbits of tests/references/tangential_trajectories.json.
 template <class T>
 void reproduce(const tests::Tolerance& tolerance, int least) {
-    const nlohmann::json references = tests::read_reference("tangential_trajectories.json");
-    int impacts = 0, orbits = 0;
-    double worst = 0;
-    for (const nlohmann::json& orbit : references["cases"]) {
-        SCOPED_TRACE("orbit " + std::to_string(orbits++));
-        const CollisionMap<T, Shape::disk, ImpactRule::poisson> map(tests::scene_from<T>(orbit));
-        const nlohmann::json& i = orbit["initial"];
-        const auto at = [&](const char* key) { return tests::number<T>(i[key]); };
-        const LabStart<T> start{at("x"), at("y"), at("vx"), at("vy"), at("angle"), at("spin")};
-        auto frame = LabFrame<T>::at_start(start.angle);
-        Collision<T> collision = map.advance(flight_from(map.body(), start));
-        T spin = start.spin;
-        int k = 0;
-        for (const nlohmann::json& row : orbit["collisions"]) {
-            if (k++ > 0) collision = map.advance(collision.after);
-            ASSERT_EQ(collision.outcome, FirstContactOutcome::contact) << "impact " << k;
-            frame.follow(map, collision, spin * collision.flight_time);
-            spin = collision.after.spin;
-            const double amplification = row["amplification"];
-            if (amplification > tolerance.reach) continue;
-            const double error = tests::error_of(lab_state(map.body(), frame, collision.after), collision, row);
-            const double allowed = std::max(tolerance.floor, tolerance.relative * amplification);
-            EXPECT_LE(error, allowed) << "impact " << k;
-            EXPECT_EQ(collision.impulse.mode == ContactMode::sliding, row["slides"].get<bool>()) << "impact " << k;
-            worst = std::max(worst, error / allowed);
-            ++impacts;
-        }
-    }
-    std::printf("%d orbits, %d impacts, largest error %.3f of what is allowed\n", orbits, impacts, worst);
-    EXPECT_EQ(orbits, 20);
-    EXPECT_GE(impacts, least);
+    tests::reproduce<T>("tangential_trajectories.json", tolerance, 20, least,
+                        [](const Collision<T>& collision, const nlohmann::json& row, int k) {
+                            EXPECT_EQ(collision.impulse.mode == ContactMode::sliding, row["slides"].get<bool>())
+                                << "impact " << k;
+                        });
 }
 
 TEST(TangentialRestitution, ReferenceOrbitsAreReproducedInDouble) {

@@ -40,6 +40,11 @@ def text_of_argument(name, value):
         raise ValueError(f"{name}: {error}") from None
 
 
+def _value(name, doc, otherwise=None):
+    """One of a scene's values as a property."""
+    return property(lambda scene: scene._values.get(name, otherwise), doc=doc)
+
+
 class Scene:
     """A regular polygon or disk in a swirled circular container, with restitution and Coulomb friction.
 
@@ -91,11 +96,7 @@ class Scene:
     def __init__(self, sides=None, alpha=None, beta=None, mu=None, restitution=None, law="poisson", inertia_factor=None,
                  *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None,
                  drag=None, spin_drag=None, floor=None, tangential_restitution=None):
-        given = {"sides": sides, "alpha": alpha, "beta": beta, "mu": mu, "restitution": restitution, "law": law,
-                 "inertia_factor": inertia_factor, "container_radius": container_radius, "swirl_radius": swirl_radius,
-                 "swirl_rate": swirl_rate, "polygon_radius": polygon_radius, "mass": mass,
-                 "drag": drag, "spin_drag": spin_drag, "floor": floor,
-                 "tangential_restitution": tangential_restitution}
+        given = {name: value for name, value in locals().items() if name != "self"}
         self._read([f"--{name.replace('_', '-')}={text_of_argument(name, value)}"
                     for name, value in given.items() if value is not None])
 
@@ -129,60 +130,17 @@ class Scene:
         scene._read([f"--{name}={text}" for name, text in texts.items()])
         return scene
 
-    @property
-    def sides(self):
-        """N, or "disk"."""
-        return self._values["sides"]
-
-    @property
-    def alpha(self):
-        """R_p/R_c."""
-        return self._values["alpha"]
-
-    @property
-    def beta(self):
-        """r_s/R_c."""
-        return self._values["beta"]
-
-    @property
-    def mu(self):
-        """Coefficient of friction."""
-        return self._values["mu"]
-
-    @property
-    def restitution(self):
-        """Coefficient of restitution."""
-        return self._values["restitution"]
-
-    @property
-    def law(self):
-        """The impact law's name."""
-        return self._values["law"]
-
-    @property
-    def inertia_factor(self):
-        """kappa, I = kappa m R_p**2."""
-        return self._values["inertia_factor"]
-
-    @property
-    def drag(self):
-        """gamma, in omega_s."""
-        return self._values.get("drag", 0.0)
-
-    @property
-    def spin_drag(self):
-        """gamma_r, in omega_s."""
-        return self._values.get("spin_drag", 0.0)
-
-    @property
-    def floor(self):
-        """`dish` or `table`; None of a floor that does not drag."""
-        return self._values.get("floor")
-
-    @property
-    def tangential_restitution(self):
-        """e_t of the disk."""
-        return self._values.get("tangential_restitution", 0.0)
+    sides = _value("sides", 'N, or "disk".')
+    alpha = _value("alpha", "R_p/R_c.")
+    beta = _value("beta", "r_s/R_c.")
+    mu = _value("mu", "Coefficient of friction.")
+    restitution = _value("restitution", "Coefficient of restitution.")
+    law = _value("law", "The impact law's name.")
+    inertia_factor = _value("inertia_factor", "kappa, I = kappa m R_p**2.")
+    drag = _value("drag", "gamma, in omega_s.", 0.0)
+    spin_drag = _value("spin_drag", "gamma_r, in omega_s.", 0.0)
+    floor = _value("floor", "`dish` or `table`; None of a floor that does not drag.")
+    tangential_restitution = _value("tangential_restitution", "e_t of the disk.", 0.0)
 
     @property
     def units(self):
@@ -301,7 +259,7 @@ class Scene:
 
     def __repr__(self):
         def shown(name, text):
-            return f"{name.replace('-', '_')}={text if _is_number(text) else repr(text)}"
+            return f"{name.replace('-', '_')}={text if _is_value(text) else repr(text)}"
         texts = dict(self._texts)
         named = [name.replace("_", "-") for name in NAMES]
         return f"Scene({', '.join(shown(name, texts[name]) for name in named if name in texts)})"
@@ -320,7 +278,7 @@ def _unfit(z, **whole):
     return TypeError(f"z = {reprlib.repr(z)} is no array of numbers")
 
 
-def _is_number(text):
+def _is_value(text):
     """Would Python's number of that text be written so again?"""
     try:
         return repr(float(text)) == text or str(int(text)) == text

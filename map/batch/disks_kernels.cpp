@@ -12,19 +12,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
-RoundResult frictionless_disks(bool sums_chatter, LaneBlock& block) {
-    return look_by<Shape::disk, ImpactRule::frictionless>(sums_chatter, block);
-}
-
-RoundResult disks(bool sums_chatter, LaneBlock& block) {
+RoundResult disks(ImpactRule rule, bool sums_chatter, LaneBlock& block) {
+    if (rule == ImpactRule::frictionless) return look_by<Shape::disk, ImpactRule::frictionless>(sums_chatter, block);
     return look_by<Shape::disk, ImpactRule::poisson>(sums_chatter, block);
 }
 
-RoundResult sampled_frictionless_disks(LaneBlock& block) {
-    return look_by<Shape::disk, ImpactRule::frictionless, true>(false, block);
-}
-
-RoundResult sampled_disks(LaneBlock& block) {
+RoundResult sampled_disks(ImpactRule rule, LaneBlock& block) {
+    if (rule == ImpactRule::frictionless) return look_by<Shape::disk, ImpactRule::frictionless, true>(false, block);
     return look_by<Shape::disk, ImpactRule::poisson, true>(false, block);
 }
 
@@ -34,22 +28,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace swirl::detail {
 
-HWY_EXPORT(frictionless_disks);
 HWY_EXPORT(disks);
-HWY_EXPORT(sampled_frictionless_disks);
 HWY_EXPORT(sampled_disks);
 
-RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(frictionless_disks)(sums_chatter, block);
-}
-
-RoundResult advance_disks(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(disks)(sums_chatter, block);
+RoundResult advance_disks(ImpactRule rule, bool sums_chatter, LaneBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(disks)(rule, sums_chatter, block);
 }
 
 RoundResult advance_sampled_disks(ImpactRule rule, LaneBlock& block) {
-    if (rule == ImpactRule::frictionless) return HWY_DYNAMIC_DISPATCH(sampled_frictionless_disks)(block);
-    return HWY_DYNAMIC_DISPATCH(sampled_disks)(block);
+    return HWY_DYNAMIC_DISPATCH(sampled_disks)(rule, block);
 }
 
 }  // namespace swirl::detail

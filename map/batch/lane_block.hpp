@@ -71,12 +71,8 @@ RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block);
 RoundResult advance_sampled_disks(ImpactRule rule, LaneBlock& block);
 
 // Parts of `advance_lanes` (disks_kernels.cpp, polygons_kernels.cpp). A disk's laws with friction coincide.
-RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block);
-RoundResult advance_disks(bool sums_chatter, LaneBlock& block);
-RoundResult advance_frictionless_polygons(bool sums_chatter, LaneBlock& block);
-RoundResult advance_poisson_polygons(bool sums_chatter, LaneBlock& block);
-RoundResult advance_newton_polygons(bool sums_chatter, LaneBlock& block);
-RoundResult advance_stronge_polygons(bool sums_chatter, LaneBlock& block);
+RoundResult advance_disks(ImpactRule rule, bool sums_chatter, LaneBlock& block);
+RoundResult advance_polygons(ImpactRule rule, bool sums_chatter, LaneBlock& block);
 
 /// The lanes of one vector of the instruction set that is used.
 int lanes_of_vector();

@@ -55,21 +55,8 @@ void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block
 }
 
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block) {
-    const bool chatter = kind.sums_chatter;
-    if (kind.shape == Shape::disk)
-        return kind.rule == ImpactRule::frictionless ? advance_frictionless_disks(chatter, block)
-                                                     : advance_disks(chatter, block);
-    switch (kind.rule) {
-        case ImpactRule::frictionless:
-            return advance_frictionless_polygons(chatter, block);
-        case ImpactRule::newton:
-            return advance_newton_polygons(chatter, block);
-        case ImpactRule::stronge:
-            return advance_stronge_polygons(chatter, block);
-        case ImpactRule::poisson:
-            break;
-    }
-    return advance_poisson_polygons(chatter, block);
+    const auto advance = kind.shape == Shape::disk ? advance_disks : advance_polygons;
+    return advance(kind.rule, kind.sums_chatter, block);
 }
 
 std::int64_t VertexTables::add(const Body<double>& body) {

@@ -13,20 +13,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
-RoundResult frictionless_polygons(bool sums_chatter, LaneBlock& block) {
-    return look_by<Shape::polygon, ImpactRule::frictionless>(sums_chatter, block);
-}
-
-RoundResult poisson_polygons(bool sums_chatter, LaneBlock& block) {
+RoundResult polygons(ImpactRule rule, bool sums_chatter, LaneBlock& block) {
+    switch (rule) {
+        case ImpactRule::frictionless:
+            return look_by<Shape::polygon, ImpactRule::frictionless>(sums_chatter, block);
+        case ImpactRule::newton:
+            return look_by<Shape::polygon, ImpactRule::newton>(sums_chatter, block);
+        case ImpactRule::stronge:
+            return look_by<Shape::polygon, ImpactRule::stronge>(sums_chatter, block);
+        case ImpactRule::poisson:
+            break;
+    }
     return look_by<Shape::polygon, ImpactRule::poisson>(sums_chatter, block);
-}
-
-RoundResult newton_polygons(bool sums_chatter, LaneBlock& block) {
-    return look_by<Shape::polygon, ImpactRule::newton>(sums_chatter, block);
-}
-
-RoundResult stronge_polygons(bool sums_chatter, LaneBlock& block) {
-    return look_by<Shape::polygon, ImpactRule::stronge>(sums_chatter, block);
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE
@@ -35,25 +33,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace swirl::detail {
 
-HWY_EXPORT(frictionless_polygons);
-HWY_EXPORT(poisson_polygons);
-HWY_EXPORT(newton_polygons);
-HWY_EXPORT(stronge_polygons);
+HWY_EXPORT(polygons);
 
-RoundResult advance_frictionless_polygons(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(frictionless_polygons)(sums_chatter, block);
-}
-
-RoundResult advance_poisson_polygons(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(poisson_polygons)(sums_chatter, block);
-}
-
-RoundResult advance_newton_polygons(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(newton_polygons)(sums_chatter, block);
-}
-
-RoundResult advance_stronge_polygons(bool sums_chatter, LaneBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(stronge_polygons)(sums_chatter, block);
+RoundResult advance_polygons(ImpactRule rule, bool sums_chatter, LaneBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(polygons)(rule, sums_chatter, block);
 }
 
 }  // namespace swirl::detail

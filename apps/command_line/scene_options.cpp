@@ -144,7 +144,7 @@ int sides_from(const std::string& text) {
 }
 
 Law law_from(const std::string& text) {
-    for (const Law law : {Law::poisson, Law::newton, Law::stronge})
+    for (const Law law : all_laws)
         if (text == name_of(law)) return law;
     throw BadInput(fmt::format("law = {} is none of: poisson, newton, stronge", text));
 }

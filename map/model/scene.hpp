@@ -15,6 +15,8 @@ namespace swirl {
 /// agree.
 enum class Law { poisson, newton, stronge };
 
+inline constexpr Law all_laws[] = {Law::poisson, Law::newton, Law::stronge};
+
 /// Whose velocity a floor that drags has: the container's, or zero.
 enum class Floor { dish, table };
 

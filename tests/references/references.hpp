@@ -41,7 +41,7 @@ Scene<T> scene_from(const nlohmann::json& c) {
     scene.mu = number<T>(c["mu"]);
     scene.restitution = number<T>(c["restitution"]);
     const std::string law = c["law"];
-    for (const Law candidate : {Law::poisson, Law::newton, Law::stronge})
+    for (const Law candidate : all_laws)
         if (name_of(candidate) == law) scene.law = candidate;
     if (name_of(scene.law) != law) throw std::runtime_error("unknown law " + law);
     scene.inertia_factor = uniform_inertia_factor<T>(scene.sides);

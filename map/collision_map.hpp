@@ -5,7 +5,6 @@
 #include "map/map_list.hpp"
 #include "map/model/body.hpp"
 #include "map/model/section.hpp"
-#include "map/numbers/quad.hpp"
 
 #include <type_traits>
 
@@ -203,9 +202,9 @@ auto CollisionMap<T, shape_, rule_>::advance(const Flight<T>& flight) const -> C
     return collision;
 }
 
-// Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map.
+// Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map. Those over Quad are
+// declared in map/orbit/maps_in_quad.hpp.
 SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, double)
 SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, long double)
-SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, Quad)
 
 }  // namespace swirl

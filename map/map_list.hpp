@@ -2,9 +2,7 @@
 // or for each number type of theirs (sustained contact) names it here: no loop instantiates templates, hence macros.
 #pragma once
 
-#include "map/numbers/quad.hpp"
-
-// DO(T) for every number type that there are maps over.
+// DO(T) for every number type that there are maps over; whoever names Quad includes map/numbers/quad.hpp.
 #define SWIRL_EVERY_NUMBER(DO) \
     DO(double)                 \
     DO(long double)            \

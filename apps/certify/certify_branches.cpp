@@ -9,7 +9,7 @@
 #include "apps/orbits/recorded_cycles.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/studies/certify/proven_branches.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/proof_check/stated_branch.hpp"
 
 #include <fmt/format.h>

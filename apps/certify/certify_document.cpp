@@ -2,7 +2,7 @@
 #include "apps/certify/certify_command.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/impacts/impact_fields.hpp"
+#include "apps/studies/scene_map/in_digits.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/studies/scene_map/in_digits.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -6,6 +6,7 @@
 #include "map/contact/motion_choice.hpp"
 #include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "map/contact/contact_watch.hpp"
 #include "map/contact/motion_choice.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -3,6 +3,7 @@
 #include "map/contact/contact_watch.hpp"
 #include "map/contact/rim_pendulum.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <algorithm>
 #include <cmath>

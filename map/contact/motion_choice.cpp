@@ -3,6 +3,7 @@
 #include "map/contact/end_of_chatter.hpp"
 #include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <array>
 

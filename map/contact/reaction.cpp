@@ -2,6 +2,7 @@
 
 #include "map/contact/contact_jets.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <algorithm>
 #include <cmath>

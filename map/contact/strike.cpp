@@ -5,6 +5,7 @@
 #include "map/contact/contact_state.hpp"
 #include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // map, where its own first contact is one thing on one side and another on the other.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
 #include "map/first_contact/vertices.hpp"
+#include "map/model/parameter.hpp"
 #include "map/numbers/jets.hpp"
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 // impact at τ have bounded derivatives.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
 #include "map/first_contact/vertices.hpp"
+#include "map/model/parameter.hpp"
 #include "map/numbers/jets.hpp"
 
 #include <Eigen/Core>

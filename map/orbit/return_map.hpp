@@ -5,7 +5,6 @@
 #include "map/contact/contact_phase.hpp"
 #include "map/contact/release.hpp"
 #include "map/map_list.hpp"
-#include "map/numbers/quad.hpp"
 #include "map/orbit/outcome.hpp"
 #include "map/orbit/speed_limits.hpp"
 
@@ -309,6 +308,5 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
 // Compiled once, in return_map_in_*.cpp.
 SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, double)
 SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, long double)
-SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, Quad)
 
 }  // namespace swirl

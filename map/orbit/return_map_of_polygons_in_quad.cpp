@@ -1,5 +1,4 @@
-#include "map/numbers/quad.hpp"
-#include "map/orbit/return_map.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 
 namespace swirl {
 

@@ -1,7 +1,7 @@
 // What is claimed of a branch of cycles along one parameter, and what a proof says of it: plain numbers.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/proof/claim.hpp"
 
 #include <array>

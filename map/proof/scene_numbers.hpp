@@ -1,7 +1,7 @@
 // A scene's exact numbers as enclosed numbers of another sort, and each by its parameter's name.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/proof/ball_scene.hpp"
 
 #include <stdexcept>

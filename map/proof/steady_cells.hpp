@@ -3,7 +3,7 @@
 #pragma once
 
 #include "map/cells/plane_piece.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/model/scene.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "map/contact/chatter_completion.hpp"
 #include "map/contact/motion_choice.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 

@@ -1,5 +1,5 @@
 // The chatter completion against the sequence of impacts, followed one by one in 113 bits.
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/chatter_sequences.hpp"
 #include "tests/map/random_scenes.hpp"
 

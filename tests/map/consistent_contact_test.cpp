@@ -2,6 +2,7 @@
 // moment shown, in every number type; what an independent computation in 200 bits found (November 2026) where there is
 // one.
 #include "map/contact/motion_choice.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/orbit/trajectory_segment.hpp"
 #include "tests/map/contact_scenes.hpp"

@@ -1,6 +1,6 @@
 // The return map's derivative through contact against differences in 113 bits.
 #include "map/contact/end_of_chatter.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/return_derivative.hpp"
 #include "tests/map/compared_derivatives.hpp"
 #include "tests/map/landings.hpp"

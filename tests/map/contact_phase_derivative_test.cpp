@@ -1,5 +1,5 @@
 // The derivative of a phase of contact, and its derivative along parameters, against differences in 113 bits.
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/return_derivative.hpp"
 #include "tests/map/compared_derivatives.hpp"
 #include "tests/map/landings.hpp"

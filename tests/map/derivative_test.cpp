@@ -1,6 +1,6 @@
 // DF: two forms that share no formula against each other, and the facts that hold without friction at e = 1.
 #include "map/derivative/saltation.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/differentiated_map.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"

@@ -1,8 +1,8 @@
 // Flight, first contact, the map and its derivative over a floor that drags.
 #include "map/dragged/dragged_derivative.hpp"
-#include "map/numbers/quad.hpp"
 #include "map/orbit/dragged_return.hpp"
 #include "map/orbit/laboratory.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/dragged_draw.hpp"
 #include "tests/map/reference_error.hpp"

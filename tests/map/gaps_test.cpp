@@ -4,7 +4,7 @@
 #include "map/first_contact/vertex_proofs.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/model/section.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 

@@ -1,6 +1,6 @@
 // The closed forms of the impact against integration in p, the change of energy, and when B₂ − sμB₃ can be negative.
 #include "map/model/impact.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/impulse_integration.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"

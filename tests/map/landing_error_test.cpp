@@ -1,5 +1,6 @@
 // The estimate that comes with a landing, `landing_error`, held against the same landing in 113 bits, where chatter is
 // followed down to 10⁻¹⁷: of random orbits of polygons, their neighbours at the wall or not.
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"

@@ -1,8 +1,8 @@
 // The rod, N = 2: its numbers, first contacts, conservation, DF, contact that lasts, reference orbits.
 #include "map/derivative/saltation.hpp"
 #include "map/dragged/dragged_map.hpp"
-#include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/steady/steady_modes.hpp"
 #include "tests/map/container_scan.hpp"

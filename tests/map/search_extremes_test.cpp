@@ -1,6 +1,6 @@
 // The search for the first contact at the limits of its range: very fast, very small, many sides, wider number types.
 #include "map/collision_map.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/random_scenes.hpp"
 

@@ -1,7 +1,7 @@
 // Section coordinates both ways, and the laboratory's frame along an orbit.
 #include "map/derivative/saltation.hpp"
-#include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 

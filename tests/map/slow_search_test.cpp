@@ -1,6 +1,6 @@
 // The first contact of bodies that are slow against the swirl, in double against 113 bits.
 #include "map/first_contact/first_contact.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/extremes/one_step.hpp"
 #include "tests/map/random_scenes.hpp"
 

@@ -1,6 +1,6 @@
 // The motion along the wall of chatter that sticks, against the sequence of impacts in 113 bits.
 #include "map/contact/end_of_chatter.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/return_map.hpp"
 #include "tests/map/chatter_sequences.hpp"
 #include "tests/map/landings.hpp"

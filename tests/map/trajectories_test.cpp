@@ -1,5 +1,5 @@
 // The 48 orbits of tests/references/trajectories.json, in three precisions.
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/reference_orbits.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Sustained contact in more digits: in 113 bits it is its own reference, for double and long double the reference.
 #include "map/contact/motion_choice.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/landings.hpp"
 

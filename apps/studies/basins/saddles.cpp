@@ -10,7 +10,7 @@
 #include "apps/studies/parallel/pieces.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Apart from branches.cpp, since the map in 113 bits takes seconds to compile for each shape and rule.
 #include "apps/studies/branches/branches.hpp"
-#include "map/derivative/parameter.hpp"
 #include "map/derivative/saltation.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/model/parameter.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 
 #include <array>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "apps/studies/parallel/pieces.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "apps/studies/grids/starts.hpp"
 
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,8 +2,6 @@
 #pragma once
 
 #include "map/baselines/baseline_contact.hpp"
-#include "map/numbers/quad.hpp"
-#include "map/numbers/real.hpp"
 
 #include <optional>
 #include <string_view>
@@ -37,15 +35,6 @@ inline std::optional<BaselineSearch> baseline_of(Accuracy accuracy) {
             return BaselineSearch::fixed_step;
     }
     return std::nullopt;
-}
-
-/// Calls `use` with a zero of the number type in which an orbit of that accuracy is followed: the one place where it
-/// is chosen for orbits that keep all digits from step to step.
-template <class Use>
-auto with_number_of(Accuracy accuracy, Use&& use) {
-    if (accuracy == Accuracy::extended) return use(0.0L);
-    if (accuracy == Accuracy::quad) return use(Quad(0));
-    return use(0.0);
 }
 
 }  // namespace swirl::studies

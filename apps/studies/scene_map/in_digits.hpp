@@ -1,12 +1,23 @@
 // States, flights and impacts in other number types: from double into more digits, and rounded back.
 #pragma once
 
+#include "apps/studies/scene_map/accuracy.hpp"
+#include "map/numbers/quad.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <type_traits>
 #include <utility>
 
 namespace swirl::studies {
+
+/// Calls `use` with a zero of the number type in which an orbit of that accuracy is followed: the one place where it
+/// is chosen for orbits that keep all digits from step to step.
+template <class Use>
+auto with_number_of(Accuracy accuracy, Use&& use) {
+    if (accuracy == Accuracy::extended) return use(0.0L);
+    if (accuracy == Accuracy::quad) return use(Quad(0));
+    return use(0.0);
+}
 
 template <class To, class From>
 Vec2<To> vector_in(const Vec2<From>& v) {

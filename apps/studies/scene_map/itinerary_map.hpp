@@ -1,7 +1,7 @@
 // The letters of an orbit's itinerary: which smooth branch of the return map each step took.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <Eigen/Core>

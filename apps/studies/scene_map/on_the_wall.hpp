@@ -16,8 +16,8 @@
 
 #include "analysis/section_map.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
-#include "map/derivative/parameter.hpp"
 #include "map/model/body.hpp"
+#include "map/model/parameter.hpp"
 
 namespace swirl::studies {
 

@@ -1,7 +1,7 @@
 // A parameter of the scene and the range that it runs over.
 #pragma once
 
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 #include "apps/studies/scene_map/dynamics_in_double.hpp"
 #include "apps/studies/scene_map/in_digits.hpp"
 #include "map/baselines/baseline_map.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -6,7 +6,7 @@
 #include "apps/studies/scene_map/itinerary_map.hpp"
 #include "apps/studies/scene_map/lanes.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/return_map.hpp"
 #include "map/orbit/speed_limits.hpp"

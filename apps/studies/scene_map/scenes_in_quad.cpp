@@ -1,6 +1,6 @@
 #include "apps/studies/scene_map/orbit_by_map.hpp"
 #include "apps/studies/scene_map/rounded_dynamics.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 
 namespace swirl::studies {
 

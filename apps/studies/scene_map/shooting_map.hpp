@@ -3,7 +3,7 @@
 
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/studies/scene_map/accuracy.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 
 namespace swirl::studies {
 

@@ -4,7 +4,7 @@
 #include "apps/studies/scene_map/in_digits.hpp"
 #include "apps/studies/tradeoff/arithmetic.hpp"
 #include "map/baselines/baseline_map.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/speed_limits.hpp"
 

@@ -1,5 +1,5 @@
 #include "apps/studies/tradeoff/arithmetic_in.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 
 #include <string_view>
 

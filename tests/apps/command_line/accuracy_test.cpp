@@ -6,7 +6,7 @@
 #include "apps/studies/scene_map/orbit_ending.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
 #include "apps/studies/scene_map/scene_orbit.hpp"
-#include "map/derivative/parameter.hpp"
+#include "map/model/parameter.hpp"
 #include "map/numbers/quad.hpp"
 #include "tests/apps/studies/scene_map/scene_of.hpp"
 #include "tests/map/same_bits.hpp"

@@ -1,5 +1,5 @@
 // One step at the ends of every range, against 113 bits: at most 50 ε × condition, as in between.
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/extremes/one_step.hpp"
 #include "tests/sample_count.hpp"
 

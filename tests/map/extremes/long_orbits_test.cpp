@@ -1,7 +1,7 @@
 // One orbit of very many impacts: J walks as rounding does, nothing leaves the container, and the swirl's phase keeps
 // its digits.
-#include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/container_scan.hpp"
 #include "tests/sample_count.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <algorithm>

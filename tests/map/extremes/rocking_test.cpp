@@ -1,6 +1,6 @@
 // A body on one vertex whose neighbour, which has just left the wall, comes back, or does not: against 113 bits.
 #include "map/contact/reaction.hpp"
-#include "map/numbers/quad.hpp"
+#include "map/orbit/maps_in_quad.hpp"
 #include "tests/map/landings.hpp"
 
 #include <gtest/gtest.h>

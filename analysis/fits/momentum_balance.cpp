@@ -217,6 +217,7 @@ InertiaFit fit_inertia(std::span<const MeasuredImpact> impacts, std::span<const 
     const double least = least_scale(impacts, start);
     for (int round = 0; round < 3; ++round) {  // the scale moves with k, by less each time
         const double scale = std::max(balance_scale(impacts, weights, std::exp(logarithm)), least);
+        if (!std::isfinite(scale)) break;  // where friction turns no body, k is told by nothing, and may run off
         ceres::Problem problem;
         for (std::size_t i = 0; i < impacts.size(); ++i) {
             if (!(weights[i] > 0)) continue;

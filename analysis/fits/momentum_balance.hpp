@@ -41,7 +41,8 @@ struct InertiaFit {
 
 /// k by total least squares over the impacts, both sides of the balance having errors: Tukey's biweight of
 /// (r_x Δv_y − r_y Δv_x − k ΔS)/√(variance of this), Ceres. A weight of an impact counts it so many times; 0 leaves it
-/// out. O(impacts).
+/// out. Impacts that do not tell k (without friction nothing turns a disk) may leave it 0 or infinite, without a scale.
+/// O(impacts).
 InertiaFit fit_inertia(std::span<const MeasuredImpact> impacts, std::span<const double> weights, double start);
 /// The same scale for a k that is given.
 InertiaFit known_inertia(std::span<const MeasuredImpact> impacts, std::span<const double> weights, double inertia);

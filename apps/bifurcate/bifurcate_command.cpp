@@ -43,9 +43,8 @@ void BifurcateOptions::add_to(Flags& command) {
     output.add_to(command);
     command
         .add_option("--along", along, "",
-                    "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,...: alpha, beta, mu, restitution, inertia-factor, "
-                    "drag")
-        ->offer(parameters_to_offer(false, true));
+                    "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,...: " + parameters_in_words(RangesOver::scenes))
+        ->offer(parameters_to_offer(RangesOver::scenes));
     command.add_option("--observable", observable, "", "S (default), psi, chi, vn or vt: values are listed beside S")
         ->offer({"S", "psi", "chi", "vn", "vt"});
     add_whole_number(command, "--starts", starts, "R", 0, 1'000'000, "random starts per column (default 4)");

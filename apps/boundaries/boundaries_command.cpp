@@ -40,8 +40,8 @@ two equations (`swirl describe`), and with --max-period K > 1 the cycles that a 
 (`swirl orbits`; how many it missed is estimated). Lines are added beside each line that alone meets some curve, down to a
 quarter of the spacing: a closed curve, or a short one, between lines may still be missed. Where the only impact of a fixed
 point vanishes (vanishing-impact: at alpha + beta = 1, beyond which a body can turn without a touch, or at a flight time of
-2 pi) no curve is followed. A map of modes shows attracting cycles alone, and their curves take a fraction of the time:
-so --attracting is the default.
+2 pi) no curve is followed. A map of modes shows attracting cycles alone, and their curves take a fraction of the time: so
+--attracting is the default.
 
 Points of codimension 2 are cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
 flip-neimark-sacker and double-neimark-sacker. A curve of another kind that crosses there is followed, too, and so is the
@@ -80,8 +80,8 @@ Examples:
 void BoundariesOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
-    command.add_option("--plane", plane, "", "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
-        ->offer(parameters_to_offer())
+    command.add_option("--plane", plane, "", "NAME=A:B, twice: " + parameters_in_words(RangesOver::plain_scenes))
+        ->offer(parameters_to_offer(RangesOver::plain_scenes))
         ->allow_extra_args(false);
     add_whole_number(command, "--max-period", max_period, "K", 1, 64,
                      "longest period of the cycles on lines (default 4)");

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/parameter_range.hpp"
+#include "apps/record/flag_text.hpp"
 
 #include <fmt/format.h>
 
@@ -35,8 +36,7 @@ Scene<double> scene_of(SceneOptions options, const Plane& plane) {
 Settings scene_settings_of(const Scene<double>& scene, const Plane& plane) {
     Settings settings;
     for (const auto& item : scene_settings(scene)) {
-        std::string flag = item.first;
-        std::replace(flag.begin(), flag.end(), '_', '-');
+        const std::string flag = flag_name(item.first);
         if (flag != plane.axes[0].name && flag != plane.axes[1].name) settings.push_back(item);
     }
     return settings;

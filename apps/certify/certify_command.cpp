@@ -80,10 +80,10 @@ void CertifyOptions::add_to(Flags& command) {
     command.add_option("--max-time", longest, "T",
                        "longest flight time, in 1/omega_s (SI units: s; default 12/omega_s, of --plane 6/omega_s)");
     command.add_option("--along", along, "", "NAME=A:B: the branches of these cycles, proven along a parameter")
-        ->offer(parameters_to_offer());
+        ->offer(parameters_to_offer(RangesOver::plain_scenes));
     command.add_flag("--branches", branches, "the branches of the RECORD, along its parameter");
-    command.add_option("--plane", plane, "", "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
-        ->offer(parameters_to_offer())
+    command.add_option("--plane", plane, "", "NAME=A:B, twice: " + parameters_in_words(RangesOver::plain_scenes))
+        ->offer(parameters_to_offer(RangesOver::plain_scenes))
         ->allow_extra_args(false);
     command.add_option("--resolution", resolution, "R",
                        "no cell of --plane is halved below this share of the plane's sides (default 1/256)");

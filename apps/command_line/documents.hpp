@@ -6,6 +6,7 @@
 #include "apps/json/json_writer.hpp"
 #include "apps/record/record_writer.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +23,12 @@ using Settings = std::vector<std::pair<std::string, AttributeValue>>;
 
 /// The scene's parameters by the names of docs/command-line.md, "Scene"; sides is a number, or "disk".
 Settings scene_settings(const Scene<double>& scene);
+
+/// All names that it uses, in its order.
+inline constexpr std::array<const char*, 11> scene_setting_names = {
+    "sides",          "alpha", "beta",      "mu",    "restitution",           "law",
+    "inertia_factor", "drag",  "spin_drag", "floor", "tangential_restitution"};
+
 /// A start in the laboratory, on the section, or at random (speed, seed).
 Settings start_settings(const StartOptions& options, const Scene<double>& scene);
 Settings unit_settings(const Units& units);

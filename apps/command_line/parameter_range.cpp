@@ -39,6 +39,10 @@ void take_list(const std::string& named, const std::vector<std::string>& values,
     along.high = along.columns.back();
 }
 
+bool is_of_plain_scenes(Parameter parameter) {
+    return parameter != Parameter::drag && parameter != Parameter::tangential_restitution;
+}
+
 }  // namespace
 
 ParameterRange parameter_range_from(const std::string& text, bool counted, bool families, const std::string& flag) {
@@ -57,9 +61,9 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     along.name = text.substr(0, equals);
     along.parameter = parameter_named(along.name);
     if (!along.parameter && !(families && (along.name == "S" || along.name == "tau")))
-        refuse(named, fmt::format("NAME is none of: alpha, beta, mu, restitution, inertia-factor{}{}",
-                                  flag == "plane" ? "" : ", drag, tangential-restitution",
-                                  families ? ", and for families S, tau" : ""));
+        refuse(named, fmt::format("NAME is none of: {}", parameters_in_words(flag == "plane" ? RangesOver::plain_scenes
+                                                                             : families      ? RangesOver::families
+                                                                                             : RangesOver::scenes)));
     if (along.parameter == Parameter::drag && flag == "plane")
         refuse(named, "this command is not extended to a floor that drags");
     if (along.parameter == Parameter::tangential_restitution && flag == "plane")
@@ -81,10 +85,20 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     return along;
 }
 
-std::vector<std::string> parameters_to_offer(bool families, bool drag) {
-    std::vector<std::string> words = {"alpha=", "beta=", "mu=", "restitution=", "inertia-factor="};
-    if (drag) words.emplace_back("drag=");
-    if (families) words.insert(words.end(), {"S=", "tau="});
+std::string parameters_in_words(RangesOver over) {
+    std::string words;
+    for (const Parameter parameter : all_parameters)
+        if (over != RangesOver::plain_scenes || is_of_plain_scenes(parameter))
+            words += fmt::format("{}{}", words.empty() ? "" : ", ", name_of(parameter));
+    return over == RangesOver::families ? words + "; S or tau for a family" : words;
+}
+
+std::vector<std::string> parameters_to_offer(RangesOver over) {
+    std::vector<std::string> words;
+    for (const Parameter parameter : all_parameters)
+        if (over != RangesOver::plain_scenes || is_of_plain_scenes(parameter))
+            words.push_back(fmt::format("{}=", name_of(parameter)));
+    if (over == RangesOver::families) words.insert(words.end(), {"S=", "tau="});
     return words;
 }
 

@@ -18,8 +18,17 @@ namespace swirl::apps {
 ParameterRange parameter_range_from(const std::string& text, bool counted, bool families,
                                     const std::string& flag = "along");
 
-/// "alpha=", ...: with what such a range begins. `families` as above.
-///   drag  of a command that follows a floor that drags
-std::vector<std::string> parameters_to_offer(bool families = false, bool drag = false);
+/// What a range may be over.
+enum class RangesOver {
+    plain_scenes,  ///< the parameters of a scene without drag and tangential restitution
+    scenes,        ///< those of every scene
+    families,      ///< those, and S and tau
+};
+
+/// "alpha, beta, ...", for help and messages.
+std::string parameters_in_words(RangesOver over);
+
+/// "alpha=", ...: with what such a range begins.
+std::vector<std::string> parameters_to_offer(RangesOver over);
 
 }  // namespace swirl::apps

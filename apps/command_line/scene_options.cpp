@@ -3,6 +3,7 @@
 #include "apps/command_line/numbers.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
+#include "apps/record/flag_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -117,9 +118,9 @@ ParsedFile parsed(const std::string& file) {
 }
 
 /// The key with - for _, as documents and records write it, where that is one.
-std::string meant(std::string name, bool (*is_known)(const std::string&)) {
-    std::replace(name.begin(), name.end(), '_', '-');
-    return is_known(name) ? fmt::format("; did you mean {}?", name) : "";
+std::string meant(const std::string& name, bool (*is_known)(const std::string&)) {
+    const std::string flag = flag_name(name);
+    return is_known(flag) ? fmt::format("; did you mean {}?", flag) : "";
 }
 
 /// All mass on the circle of the vertices has kappa = 1; what is no number is refused elsewhere.

@@ -59,10 +59,8 @@ void ContinueOptions::add_to(Flags& command) {
             "--from", from, "",
             "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi), or attractor: what the start settles on")
         ->offer({"attractor"});
-    command
-        .add_option("--along", along, "",
-                    "NAME=A:B: alpha, beta, mu, restitution, inertia-factor, drag; S or tau for a family")
-        ->offer(parameters_to_offer(true, true));
+    command.add_option("--along", along, "", "NAME=A:B: " + parameters_in_words(RangesOver::families))
+        ->offer(parameters_to_offer(RangesOver::families));
     add_whole_number(command, "--period", its_period, "K", 1, 256, "of the cycle near that point (default 1)");
     add_whole_number(command, "--switch", switches, "DEPTH", 0, 16,
                      "how many flips and branch points to switch at one after another (default 1)");

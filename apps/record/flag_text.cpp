@@ -22,4 +22,10 @@ std::string record_name(std::string_view flag) {
     return name;
 }
 
+std::string flag_name(std::string_view name) {
+    std::string flag(name);
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    return flag;
+}
+
 }  // namespace swirl::apps

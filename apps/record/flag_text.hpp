@@ -16,4 +16,7 @@ std::optional<std::string> flag_text_of(const AttributeValue& value);
 /// A flag's name as attributes, columns and dimensions have it: inertia-factor is inertia_factor there.
 std::string record_name(std::string_view flag);
 
+/// The flag of such a name: inertia-factor is that of inertia_factor.
+std::string flag_name(std::string_view name);
+
 }  // namespace swirl::apps

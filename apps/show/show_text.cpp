@@ -1,5 +1,6 @@
 #include "apps/show/show_text.hpp"
 
+#include "apps/command_line/documents.hpp"
 #include "apps/command_line/errors.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/show/show_command.hpp"
@@ -52,35 +53,15 @@ std::string heading_of_value(const ShownColumn& column, const std::string& label
 }
 
 NamedValues in_written_order(const NamedValues& values) {
-    constexpr std::array order{"sides",
-                               "alpha",
-                               "beta",
-                               "mu",
-                               "restitution",
-                               "law",
-                               "inertia_factor",
-                               "drag",
-                               "spin_drag",
-                               "floor",
-                               "tangential_restitution",
-                               "speed",
-                               "seed",
-                               "x",
-                               "y",
-                               "vx",
-                               "vy",
-                               "angle",
-                               "spin",
-                               "psi",
-                               "chi",
-                               "vn",
-                               "vt",
-                               "S",
-                               "length",
-                               "time",
-                               "mass"};
+    constexpr std::array after_scene{"speed", "seed", "x",  "y",  "vx", "vy",     "angle", "spin",
+                                     "psi",   "chi",  "vn", "vt", "S",  "length", "time",  "mass"};
+    const auto index_in = [](const auto& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) - names.begin();
+    };
     const auto place = [&](const auto& named) {
-        return std::find(order.begin(), order.end(), named.first) - order.begin();
+        const auto index = index_in(scene_setting_names, named.first);
+        const auto scene = static_cast<std::ptrdiff_t>(scene_setting_names.size());
+        return index < scene ? index : scene + index_in(after_scene, named.first);
     };
     NamedValues sorted = values;
     std::stable_sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });

@@ -3,6 +3,7 @@
 #include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,7 @@ bool is_list(const std::string& text, const GridForm& form) {
 }
 
 void require_axis_name(const std::string& text, const std::string& name) {
-    if (!is_axis_name(name)) refuse(text, fmt::format("NAME is none of: {}", axis_names));
+    if (!is_axis_name(name)) refuse(text, fmt::format("NAME is none of: {}", axis_names()));
 }
 
 /// NAME=V,V…: each of them; of a sample each with an equal share; of a table of scenes one a row.
@@ -168,8 +169,9 @@ std::string word_at(const GridAxis& axis, double point) {
     return fmt::format("{}", point);
 }
 
-const char* const axis_names =
-    "alpha, beta, mu, restitution, inertia-factor, sides, drag, spin-drag, law, speed, x, y, vx, vy, angle, spin";
+std::string axis_names() {
+    return fmt::format("{}, law, {}, {}", fmt::join(scene_axes, ", "), start_speed, fmt::join(start_numbers, ", "));
+}
 
 bool is_axis_name(const std::string& name) {
     return is_among(scene_axes, name) || is_among(start_numbers, name) || name == start_speed || name == "law";

@@ -46,7 +46,7 @@ std::string word_at(const GridAxis& axis, double point);
 /// True of what can be an axis.
 bool is_axis_name(const std::string& name);
 /// "alpha, beta, …", for messages.
-extern const char* const axis_names;
+std::string axis_names();
 
 /// "alpha=", ...: with what an axis begins.
 std::vector<std::string> axes_to_offer();

@@ -1,3 +1,4 @@
+#include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_files.hpp"
 #include "apps/record/flag_text.hpp"
@@ -30,45 +31,23 @@ void JoinOptions::add_to(Flags& command) {
 
 namespace {
 
-/// In the order of settings_of.
-constexpr std::array<const char*, 31> in_order = {"swirl_version",
-                                                  "grid",
-                                                  "sample",
-                                                  "scenes",
-                                                  "sides",
-                                                  "alpha",
-                                                  "beta",
-                                                  "mu",
-                                                  "restitution",
-                                                  "law",
-                                                  "inertia_factor",
-                                                  "drag",
-                                                  "spin_drag",
-                                                  "floor",
-                                                  "tangential_restitution",
-                                                  "runs",
-                                                  "speed",
-                                                  "x",
-                                                  "y",
-                                                  "vx",
-                                                  "vy",
-                                                  "angle",
-                                                  "spin",
-                                                  "seed",
-                                                  "transient",
-                                                  "collisions",
-                                                  "exhaustive",
-                                                  "risk",
-                                                  "error",
-                                                  "threshold",
-                                                  "accuracy"};
+/// In the order of settings_of; the scene's stand after the first.
+constexpr std::array before_scene{"swirl_version", "grid", "sample", "scenes"};
+constexpr std::array after_scene{"runs",  "speed", "x",         "y",         "vx",         "vy",
+                                 "angle", "spin",  "seed",      "transient", "collisions", "exhaustive",
+                                 "risk",  "error", "threshold", "accuracy"};
 
 /// The settings in the order of settings_of. @throws BadInput for one that is not known
 Settings ordered(const std::string& path, const Settings& settings) {
     Settings sorted;
-    for (const char* name : in_order)
-        for (const auto& entry : settings)
-            if (entry.first == name) sorted.push_back(entry);
+    const auto take = [&](const auto& names) {
+        for (const char* name : names)
+            for (const auto& entry : settings)
+                if (entry.first == name) sorted.push_back(entry);
+    };
+    take(before_scene);
+    take(scene_setting_names);
+    take(after_scene);
     if (sorted.size() != settings.size())
         throw BadInput(fmt::format("record '{}' has settings that are not a sweep's", path));
     return sorted;
@@ -94,11 +73,9 @@ Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& o
         const std::string text = flag_text_of(value).value_or("");
         if (name == "sample") form.sample = sample_from(text);
         if (name == "scenes") form.scenes = static_cast<std::size_t>(setting<std::int64_t>(path, sweep.settings, name));
-        if (name == "inertia_factor" && text != "uniform") options.scene.set("inertia-factor", text);
-        if (name == "spin_drag") options.scene.set("spin-drag", text);
-        if (name == "tangential_restitution") options.scene.set("tangential-restitution", text);
-        for (const char* parameter : {"sides", "alpha", "beta", "mu", "restitution", "law", "drag", "floor"})
-            if (name == parameter) options.scene.set(name, text);
+        if (name == "inertia_factor" && text == "uniform") continue;  // the lamina's, which depends on N
+        for (const char* of_scene : scene_setting_names)
+            if (name == of_scene) options.scene.set(flag_name(name), text);
     }
     sweep.grid = grid_from(setting<std::vector<std::string>>(path, sweep.settings, "grid"), form);
     scene_of_cell(options.scene, sweep.grid, 0);

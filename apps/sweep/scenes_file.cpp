@@ -2,6 +2,7 @@
 
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/cells.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/sweep/grid_options.hpp"
 
 #include <fmt/format.h>
@@ -47,9 +48,9 @@ char separator_of(const std::string& header) {
 std::vector<std::string> names_in(const std::string& file, const TextLine& header, char separator) {
     std::vector<std::string> names = cells_of(header.text, separator);
     for (auto name = names.begin(); name != names.end(); ++name) {
-        std::replace(name->begin(), name->end(), '_', '-');
+        *name = flag_name(*name);
         if (!is_axis_name(*name))
-            refuse(file, header.number, fmt::format("column '{}' is none of: {}", *name, axis_names));
+            refuse(file, header.number, fmt::format("column '{}' is none of: {}", *name, axis_names()));
         if (std::find(names.begin(), name, *name) != name)
             refuse(file, header.number, fmt::format("column {} is there twice", *name));
     }

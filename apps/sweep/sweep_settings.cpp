@@ -1,4 +1,5 @@
 #include "apps/modes/risk_document.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
@@ -24,8 +25,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     const auto gridded = [&](const std::string& name) { return has_axis(grid, name); };
     for (const auto& parameter : scene_settings(first)) {
         const bool inertia = parameter.first == "inertia_factor";
-        std::string axis = parameter.first;
-        std::replace(axis.begin(), axis.end(), '_', '-');
+        const std::string axis = flag_name(parameter.first);
         if (gridded(axis)) continue;
         if (inertia && gridded("sides") && !options.scene.has("inertia-factor"))
             settings.emplace_back("inertia_factor", std::string("uniform"));  // the lamina's, which depends on N

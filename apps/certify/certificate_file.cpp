@@ -311,6 +311,45 @@ void read_branches(const Json& document, StatedCertificate& stated) {
     if (stated.branches.empty()) throw BadInput("it states no branch as proven");
 }
 
+std::size_t number_of_set(const Json& number, std::size_t sets) {
+    const int value = whole(number);
+    if (value < 1 || static_cast<std::size_t>(value) > sets) throw BadInput("a covering is of a set that is not there");
+    return static_cast<std::size_t>(value - 1);
+}
+
+proof_check::StatedChaos chaos_in(const Json& document) {
+    proof_check::StatedChaos chaos;
+    read_scene(document.at("scene"), chaos.scene);
+    chaos.scene.uniform_lamina = document.at("inertia").get<std::string>() == "uniform lamina";
+    const Json& result = document.at("chaos");
+    if (!result.at("proven").get<bool>()) throw BadInput("it states no chaos as proven");
+    chaos.growth = result.at("growth").get<double>();
+    chaos.entropy = result.at("entropy").get<double>();
+    if (const Json& level = document.at("J"); !level.is_null()) chaos.jacobi = level.get<double>();
+    for (const Json& row : document.at("sets")) {
+        proof_check::StatedSet set;
+        set.centre = row.at("centre").get<std::vector<double>>();
+        for (const Json& line : row.at("matrix")) {
+            const auto entries = line.get<std::vector<double>>();
+            if (entries.size() != set.centre.size()) throw BadInput("a set's matrix is not square");
+            set.matrix.insert(set.matrix.end(), entries.begin(), entries.end());
+        }
+        set.weight = row.at("weight").get<double>();
+        chaos.sets.push_back(std::move(set));
+    }
+    for (const Json& row : document.at("coverings")) {
+        proof_check::StatedCovering covering;
+        covering.from = number_of_set(row.at("from"), chaos.sets.size());
+        covering.to = number_of_set(row.at("to"), chaos.sets.size());
+        covering.vertex_step = whole(row.at("vertex_step"));
+        covering.contact_mode = row.at("contact_mode").get<std::string>();
+        covering.time = row.at("flight_time").get<double>();
+        covering.image = row.at("image").get<std::array<double, 5>>();
+        chaos.coverings.push_back(std::move(covering));
+    }
+    return chaos;
+}
+
 /// A document in which no object has a name twice, of which the library would keep the last.
 Json parsed(const std::string& text) {
     std::vector<std::set<std::string>> names;
@@ -386,6 +425,10 @@ StatedCertificate read_certificate(const std::string& file) {
         stated.all = document.contains("all") && !document.at("all").is_null();
         if (document.contains("plane")) {
             stated.plane = plane_in(document);
+            return stated;
+        }
+        if (document.contains("chaos")) {
+            stated.chaos = chaos_in(document);
             return stated;
         }
         if (document.contains("branches")) {

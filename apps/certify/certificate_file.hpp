@@ -3,6 +3,7 @@
 
 #include "apps/record/output_file.hpp"
 #include "map/proof_check/stated_branch.hpp"
+#include "map/proof_check/stated_chaos.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 #include "map/proof_check/stated_plane.hpp"
 
@@ -46,6 +47,7 @@ struct StatedCertificate {
     bool interrupted = false;         ///< its cycles are a part of those that were asked for
     bool all = false;                 ///< it also states that these are all fixed points, which is not checked
     std::optional<proof_check::StatedPlane> plane;  ///< of cells, in place of orbits
+    std::optional<proof_check::StatedChaos> chaos;  ///< of sets and coverings, in place of orbits
     std::vector<StatedBranchOf> branches;           ///< in place of orbits
 };
 

@@ -54,6 +54,12 @@ Neimark-Sacker point is enclosed and proven to be quadratic, or crossed with a s
 branches of a record of continue or bifurcate so, over the range that was asked for, and says which share of their length is
 proven. No families (a disk, or no friction, at restitution = 1).
 
+--chaos takes parallelepipeds on the section about the points of the cycles with one multiplier outside the unit circle, and
+about those of orbits that lead from one to another in --link-length impacts or fewer, and proves that F carries each over
+the next, stretched across it in one direction and squeezed into it in the others. Then every path from set to set is some
+orbit's, and the paths' entropy is a lower bound of the map's. Beside it stands the largest Lyapunov exponent, a number
+without proof. Of a disk without friction --near says the level of J, too. Exit code 3 if no entropy > 0 is proven.
+
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
 fixed points is not part of that.
 
@@ -64,6 +70,7 @@ Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --max-time 2 --along alpha=0.38:0.42
+  swirl certify --sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --near=3.1415927,-0.144,0.048,0 --chaos
   swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2)";
 
 void CertifyOptions::add_to(Flags& command) {
@@ -82,6 +89,10 @@ void CertifyOptions::add_to(Flags& command) {
     command.add_option("--along", along, "", "NAME=A:B: the branches of these cycles, proven along a parameter")
         ->offer(parameters_to_offer(RangesOver::plain_scenes));
     command.add_flag("--branches", branches, "the branches of the RECORD, along its parameter");
+    command.add_flag("--chaos", chaos,
+                     "sets about these cycles that the map carries over each other: a proven entropy");
+    add_whole_number(command, "--link-length", link_length, "K", 2, 40,
+                     "of --chaos: most impacts of an orbit from cycle to cycle (default 10)");
     command.add_option("--plane", plane, "", "NAME=A:B, twice: " + parameters_in_words(RangesOver::plain_scenes))
         ->offer(parameters_to_offer(RangesOver::plain_scenes))
         ->allow_extra_args(false);
@@ -124,6 +135,10 @@ void require_one_input(const CertifyOptions& options) {
         throw BadInput("--branches goes with a RECORD alone: its branches, along its parameter");
     if (!options.along.empty() && (!options.plane.empty() || !options.check.empty()))
         throw BadInput("--along goes with cycles: a RECORD, --near, --from attractor or --all");
+    if (options.chaos &&
+        (!options.plane.empty() || !options.check.empty() || !options.along.empty() || options.branches))
+        throw BadInput("--chaos goes with cycles: a RECORD, --near, --from attractor or --all");
+    if (options.link_length && !options.chaos) throw BadInput("--link-length goes with --chaos");
     if (options.resolution && options.plane.empty()) throw BadInput("--resolution goes with --plane");
     if (!options.check.empty() && !options.certificate.empty())
         throw BadInput("--check and --output are both given; --check writes nothing");
@@ -199,6 +214,7 @@ AskedCycles asked_cycles(const CertifyOptions& options) {
 int check_certificate(const CertifyOptions& options) {
     const StatedCertificate stated = read_certificate(options.check);
     if (stated.plane) return check_plane(options, stated);
+    if (stated.chaos) return check_chaos(options, stated);
     if (!stated.branches.empty()) return check_branches(options, stated);
     std::size_t holds = 0;
     std::string refused;
@@ -239,6 +255,7 @@ int certify(CertifyOptions& options) {
     if (!options.check.empty()) return check_certificate(options);
     if (!options.plane.empty()) return certify_plane(options);
     if (!options.along.empty() || options.branches) return certify_branches(options);
+    if (options.chaos) return certify_chaos(options);
     options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const bool needs_scene = options.record.empty();

@@ -18,20 +18,22 @@ using namespace studies::certify;
 struct CertifyOptions {
     SceneOptions scene;
     OutputOptions output;
-    StartOptions start;                      ///< of --from attractor
-    std::string record;                      ///< whose cycles are proven
-    std::optional<std::int64_t> orbit;       ///< the one of them that is; none: all
-    std::string from;                        ///< attractor: what the start settles on
-    std::string near;                        ///< psi,chi,vn,vt,S
-    std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
-    bool all = false;                        ///< all fixed points …
-    std::optional<double> longest;           ///< … up to this flight time
-    std::string along;                       ///< NAME=A:B: the cycles' branches along a parameter
-    bool branches = false;                   ///< those of a record
-    std::vector<std::string> plane;          ///< NAME=A:B, twice: cells of a plane
-    std::optional<double> resolution;        ///< of the plane's sides, below which no cell is halved
-    std::string check;                       ///< a certificate to check
-    std::string certificate;                 ///< where to write one
+    StartOptions start;                       ///< of --from attractor
+    std::string record;                       ///< whose cycles are proven
+    std::optional<std::int64_t> orbit;        ///< the one of them that is; none: all
+    std::string from;                         ///< attractor: what the start settles on
+    std::string near;                         ///< psi,chi,vn,vt,S
+    std::optional<std::int64_t> its_period;   ///< of the cycle near it; given only where it means something
+    bool all = false;                         ///< all fixed points …
+    std::optional<double> longest;            ///< … up to this flight time
+    std::string along;                        ///< NAME=A:B: the cycles' branches along a parameter
+    bool branches = false;                    ///< those of a record
+    bool chaos = false;                       ///< sets about the cycles that F carries over each other
+    std::optional<std::int64_t> link_length;  ///< impacts of an orbit between two of them, at most
+    std::vector<std::string> plane;           ///< NAME=A:B, twice: cells of a plane
+    std::optional<double> resolution;         ///< of the plane's sides, below which no cell is halved
+    std::string check;                        ///< a certificate to check
+    std::string certificate;                  ///< where to write one
 
     void add_to(Flags& command);
     int period() const { return static_cast<int>(its_period.value_or(1)); }
@@ -60,6 +62,10 @@ int certify(CertifyOptions& options);
 int certify_plane(CertifyOptions& options);
 /// --along and --branches.
 int certify_branches(CertifyOptions& options);
+/// --chaos.
+int certify_chaos(CertifyOptions& options);
+/// --check of its certificate.
+int check_chaos(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check of a certificate of branches.
 int check_branches(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check of a certificate of --plane.

@@ -124,7 +124,6 @@ std::string outside(const BallFlight& flight, const Piece& piece, int k) {
                  0.5 * (piece.from + piece.to), lower(value));
 }
 
-constexpr int most_pieces = 100'000;
 constexpr long most_vertices = 6;  ///< of a piece; more of them: it is halved
 
 struct PieceSight {
@@ -151,7 +150,8 @@ PieceSight look(const BallFlight& flight, const Piece& piece) {
 
 }  // namespace
 
-Clearance clear_flight(const BallScene& scene, const BallPoint<Ball>& z, const Ball& tau, int arriving) {
+Clearance clear_flight(const BallScene& scene, const BallPoint<Ball>& z, const Ball& tau, int arriving,
+                       int most_pieces) {
     const BallFlight flight = flight_of(scene, z, tau, arriving);
     Clearance clearance;
     const Ball leaves = flight.gap(flight.at(Ball(0)), 0).rate;

@@ -17,6 +17,8 @@ struct Clearance {
 /// leaves at 0, and of `arriving`, which touches at τ (of the disk its one gap). Refuted where a gap is positive for
 /// all of the box. Time is halved until each piece is clear: the circumscribed circle first, then those vertices that
 /// the piece's directions allow.
-Clearance clear_flight(const BallScene& scene, const BallPoint<Ball>& z, const Ball& tau, int arriving);
+///   most_pieces  of time, after which it is undecided
+Clearance clear_flight(const BallScene& scene, const BallPoint<Ball>& z, const Ball& tau, int arriving,
+                       int most_pieces = 100'000);
 
 }  // namespace swirl::proof

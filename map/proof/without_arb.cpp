@@ -1,15 +1,20 @@
 // What a build without Arb answers.
 #include "map/proof/all_fixed_points.hpp"
+#include "map/proof/covering_claim.hpp"
 #include "map/proof/prove_branch.hpp"
 #include "map/proof/prove_cycle.hpp"
 #include "map/proof/steady_cells.hpp"
 #include "map/proof_check/stated_branch.hpp"
+#include "map/proof_check/stated_chaos.hpp"
 #include "map/proof_check/stated_cycle.hpp"
 #include "map/proof_check/stated_plane.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace swirl {
 
@@ -43,6 +48,21 @@ cells::PlanePiece proven_piece(const PlaneScene&, const cells::ParameterCell&, c
 BranchProof prove_branch(const BranchClaim&, const std::function<bool()>&) {
     refuse();
 }
+std::vector<std::size_t> section_chart(const Scene<double>&) {
+    refuse();
+}
+void require_chart(const Scene<double>&) {
+    refuse();
+}
+CoveringProof prove_covering(const Scene<double>&, const ChaosClaim&, const CoveringClaim&, int) {
+    refuse();
+}
+std::string common_point(const Scene<double>&, const ChaosClaim&, std::size_t, std::size_t) {
+    refuse();
+}
+GrowthBound growth_bound(std::size_t, const std::vector<std::pair<std::size_t, std::size_t>>&) {
+    refuse();
+}
 void require_isolated_branch(const Scene<double>&, Parameter, double, double) {
     refuse();
 }
@@ -58,6 +78,9 @@ std::string what_fails(const StatedPlane&, const std::function<bool()>&) {
     refuse();
 }
 std::string what_fails(const StatedBranch&, const std::function<bool()>&) {
+    refuse();
+}
+std::string what_fails(const StatedChaos&, const std::function<bool()>&) {
     refuse();
 }
 

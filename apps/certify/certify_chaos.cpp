@@ -1,0 +1,248 @@
+// `swirl certify --chaos`: sets that F carries over each other, and the entropy that follows.
+#include "apps/certify/certificate_file.hpp"
+#include "apps/certify/certify_command.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/numbers.hpp"
+#include "apps/command_line/run_control.hpp"
+#include "apps/command_line/standard_streams.hpp"
+#include "apps/output/wrapped.hpp"
+#include "apps/studies/certify/proven_chaos.hpp"
+#include "map/orbit/orbit.hpp"
+#include "map/proof_check/stated_chaos.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swirl::apps::certify {
+
+namespace {
+
+constexpr std::array coordinate_names{"psi", "chi", "vn", "vt", "S"};
+
+void write_reason(JsonWriter& json, const std::string& reason) {
+    json.key("reason");
+    reason.empty() ? json.null() : json.value(reason);
+}
+
+void write_cycles(JsonWriter& json, const ProvenChaos& found) {
+    json.key("cycles");
+    json.begin_array(JsonLayout::rows);
+    for (const ChaosCycle& cycle : found.cycles) {
+        json.begin_object();
+        json.member("orbit", static_cast<std::int64_t>(cycle.number));
+        json.member("period", static_cast<std::int64_t>(cycle.period));
+        json.member("multiplier", cycle.multiplier);
+        write_reason(json, cycle.reason);
+        json.end_object();
+    }
+    json.end_array();
+    json.key("connections");
+    json.begin_array(JsonLayout::rows);
+    for (const ChaosLink& orbit : found.orbits) {
+        json.begin_object();
+        json.member("from", static_cast<std::int64_t>(orbit.from));
+        json.member("to", static_cast<std::int64_t>(orbit.to));
+        json.member("sets", static_cast<std::int64_t>(orbit.sets));
+        json.member("proven", orbit.proven);
+        write_reason(json, orbit.reason);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void write_sets(JsonWriter& json, const ProvenChaos& found) {
+    json.key("sets");
+    json.begin_array(JsonLayout::rows);
+    for (std::size_t i = 0; i < found.claim.sets.size(); ++i) {
+        const proof::SectionSet& set = found.claim.sets[i];
+        const std::size_t n = set.centre.size();
+        json.begin_object();
+        json.list("centre", set.centre);
+        json.key("matrix");
+        json.begin_array();
+        for (std::size_t row = 0; row < n; ++row)
+            json.array(std::vector<double>(set.matrix.begin() + static_cast<std::ptrdiff_t>(row * n),
+                                           set.matrix.begin() + static_cast<std::ptrdiff_t>((row + 1) * n)));
+        json.end_array();
+        json.member("weight", i < found.bound.weights.size() ? found.bound.weights[i] : 0.0);
+        json.end_object();
+    }
+    json.end_array();
+    json.key("coverings");
+    json.begin_array(JsonLayout::rows);
+    for (std::size_t i = 0; i < found.claim.links.size(); ++i) {
+        const proof::CoveringClaim& link = found.claim.links[i];
+        const SectionPoint<double>& z = link.image;
+        json.begin_object();
+        json.member("from", static_cast<std::int64_t>(link.from + 1));
+        json.member("to", static_cast<std::int64_t>(link.to + 1));
+        json.member("vertex_step", link.branch.vertex_step);
+        json.member("contact_mode", name_of(link.branch.mode));
+        json.member("flight_time", link.time);
+        json.list("image", std::vector<double>{z.psi, z.chi, z.vn, z.vt, z.spin});
+        json.member("pieces", found.pieces[i]);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+std::string document_of(const CertifyOptions& options, const ProvenChaos& found, const ChaosOptions& how) {
+    std::string text;
+    JsonWriter json(text);
+    const bool uniform = found.scene.inertia_factor == uniform_inertia_factor<double>(found.scene.sides);
+    json.begin_object(JsonLayout::rows);
+    json.member("certificate", "swirl");
+    write_scene(json, found.scene, options.scene);
+    json.member("inertia", uniform ? "uniform lamina" : "as given");
+    json.key("chaos");
+    json.begin_object();
+    json.member("proven", found.proven());
+    json.member("entropy", found.bound.entropy);
+    json.member("growth", found.bound.growth);
+    json.member("exponent", found.exponent);
+    write_reason(json, found.reason);
+    json.end_object();
+    json.key("coordinates");
+    json.begin_array();
+    for (const std::size_t index : proof::section_chart(found.scene)) json.value(coordinate_names[index]);
+    json.end_array();
+    json.key("J");
+    found.claim.jacobi ? json.value(*found.claim.jacobi) : json.null();
+    write_cycles(json, found);
+    write_sets(json, found);
+    json.member("outcome", found.whole ? "completed" : "interrupted");
+    write_json(json, "settings",
+               Settings{{"link_length", static_cast<std::int64_t>(how.longest_link)},
+                        {"exponent_impacts", static_cast<std::int64_t>(how.exponent_impacts)}});
+    json.member("swirl_version", version());
+    json.end_object();
+    json.finish();
+    return with_checksum(text.substr(0, text.rfind("\n}")));
+}
+
+void print_chaos(const CertifyOptions& options, const ProvenChaos& found) {
+    fmt::print("{}\n{}", scene_in_words(found.scene), units_in_words(options.scene.units()));
+    for (const ChaosCycle& cycle : found.cycles)
+        fmt::print("{}\n", wrapped(fmt::format("  orbit {}, period {}: {}", cycle.number, cycle.period,
+                                               cycle.reason.empty()
+                                                   ? fmt::format("{0} set{1}, multiplier {2:.6g}", cycle.period,
+                                                                 cycle.period == 1 ? "" : "s", cycle.multiplier)
+                                                   : "left out: " + cycle.reason),
+                                   4));
+    std::map<std::array<std::size_t, 3>, std::size_t> proven;  // from, to, sets: how many
+    std::size_t failed = 0;
+    const std::string* why = nullptr;
+    for (const ChaosLink& orbit : found.orbits) {
+        if (orbit.proven) ++proven[{orbit.from, orbit.to, orbit.sets}];
+        if (orbit.proven) continue;
+        if (failed++ == 0) why = &orbit.reason;
+    }
+    for (const auto& [key, count] : proven)
+        fmt::print("  from {} to {} by {} sets: {} orbit{} proven\n", key[0], key[1], key[2], count,
+                   count == 1 ? "" : "s");
+    if (failed > 0)
+        fmt::print("{}\n",
+                   wrapped(fmt::format("  {} orbit{} not proven: {}", failed, failed == 1 ? "" : "s", *why), 4));
+    fmt::print("  {} sets, {} times one is carried over another, in {} pieces\n", found.claim.sets.size(),
+               found.claim.links.size(), std::accumulate(found.pieces.begin(), found.pieces.end(), 0));
+    if (found.proven())
+        fmt::print("  proven: topological entropy of F >= {:.6f} per impact\n", found.bound.entropy);
+    else
+        fmt::print("{}\n", wrapped(fmt::format("  no chaos proven: {}", found.reason), 4));
+    if (!std::isnan(found.exponent))
+        fmt::print("  largest Lyapunov exponent of an orbit from there: {:.4f} per impact, not proven\n",
+                   found.exponent);
+    if (!found.whole) fmt::print("  interrupted: some were not tried\n");
+}
+
+/// Cycles along a branch have scenes of their own.
+bool are_alike(const Scene<double>& a, const Scene<double>& b) {
+    return a.alpha == b.alpha && a.beta == b.beta && a.mu == b.mu && a.restitution == b.restitution &&
+           a.inertia_factor == b.inertia_factor;
+}
+
+/// A frictionless disk's cycles come in families: the point says on which level of J, and Newton's method on that level
+/// finds the cycle near it.
+AskedCycles asked_on_level(const CertifyOptions& options, const Scene<double>& scene) {
+    if (options.near.empty())
+        throw BadInput(
+            "chaos of a disk without friction: --near psi,vn,vt,S is wanted, whose J is the level looked at");
+    const auto z = section_point_from<double>("--near", point_without_units(options.near, options.scene.units()), true);
+    require_leaving(make_body(scene), z);
+    const auto period = static_cast<std::size_t>(options.period());
+    return {scene, {{scene, std::vector<SectionPoint<double>>(period, z), 1}}, true, true};
+}
+
+}  // namespace
+
+int certify_chaos(CertifyOptions& options) {
+    options.scene.read_file(options.output.quiet);
+    options.start.take_from(options.scene);
+    if (options.record.empty()) proof::require_chart(options.scene.scene<double>());
+    if (options.all) options.max_time();  // refused before the file is opened
+    const std::unique_ptr<OutputFile> file =
+        open_certificate(options.certificate, options.output.force, {options.record, options.scene.file()});
+    note_interruptions();
+    ChaosOptions how;
+    how.longest_link = static_cast<int>(options.link_length.value_or(how.longest_link));
+    how.control = run_control(options.output);
+    const bool on_level =
+        options.record.empty() && options.scene.scene<double>().is_disk() && options.scene.scene<double>().mu == 0;
+    const AskedCycles asked = on_level ? asked_on_level(options, options.scene.scene<double>()) : asked_cycles(options);
+    for (const CyclePlace& place : asked.places)
+        if (!are_alike(place.scene, asked.scene))
+            throw BadInput(
+                fmt::format("record '{}': its cycles are of different scenes; --orbit I chooses one", options.record));
+    const ProvenChaos found = proven_chaos(asked.scene, asked.places, how);
+    finish_up();
+    const std::string text = file || options.output.json ? document_of(options, found, how) : std::string();
+    if (file) write_certificate(*file, text);
+    if (options.output.json)
+        print_text(text);
+    else if (!options.output.quiet)
+        print_chaos(options, found);
+    if (!found.whole) return exit_interrupted;
+    return found.proven() ? exit_done : exit_numerical_ending;
+}
+
+int check_chaos(const CertifyOptions& options, const StatedCertificate& stated) {
+    note_interruptions();
+    std::string refused;
+    try {
+        refused = proof_check::what_fails(*stated.chaos, is_interrupted);
+    } catch (const std::invalid_argument& error) {
+        refused = error.what();
+    }
+    finish_up();
+    const std::size_t coverings = stated.chaos->coverings.size();
+    if (options.output.json) {
+        print_document([&](JsonWriter& json) {
+            json.member("stated", coverings);
+            json.member("proven", refused.empty() ? coverings : std::size_t{0});
+            json.member("entropy", refused.empty() ? stated.chaos->entropy : 0.0);
+            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
+            write_reason(json, refused);
+        });
+    } else if (!options.output.quiet) {
+        if (refused.empty())
+            fmt::print("all of the {} times that a set is carried over another are proven again: entropy >= {:.6f}\n",
+                       coverings, stated.chaos->entropy);
+        else
+            fmt::print("not proven again: {}\n", refused);
+    }
+    if (is_interrupted()) return exit_interrupted;
+    return refused.empty() ? exit_done : exit_numerical_ending;
+}
+
+}  // namespace swirl::apps::certify

@@ -1,0 +1,63 @@
+// Chaos, proven: sets about saddle cycles and about orbits that lead from one to another, which F carries over each
+// other, and the entropy of the paths from set to set.
+#pragma once
+
+#include "apps/studies/certify/certified_orbit.hpp"
+#include "apps/studies/parallel/run_control.hpp"
+#include "map/proof/covering_claim.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl::studies::certify {
+
+struct ChaosOptions {
+    int longest_link = 10;   ///< impacts of an orbit between two cycles, at most
+    int most_links = 64;     ///< orbits between cycles that are taken, the shortest first
+    int scan = 4000;         ///< points of an unstable manifold that are tried, per set and side
+    std::vector<double> aspects{1, 4, 0.25, 16};  ///< heights of sets about cycles in their widths; the best is taken
+    int most_pieces = 3000;  ///< of a set, after which nothing is said
+    int exponent_impacts = 20'000;
+    RunControl control = {};
+};
+
+/// One of the cycles that were asked for.
+struct ChaosCycle {
+    std::size_t number = 1;
+    std::size_t period = 1;
+    double multiplier = 0;      ///< outside the unit circle
+    std::size_t first_set = 0;  ///< of its sets, one a point
+    std::string reason;         ///< why it is left out; empty: it is not
+};
+
+/// An orbit from one cycle to another, its sets, and whether all its links are proven.
+struct ChaosLink {
+    std::size_t from = 0, to = 0;  ///< cycles by number
+    std::size_t first_set = 0, sets = 0;
+    bool proven = false;
+    std::string reason;  ///< empty if it is proven
+};
+
+struct ProvenChaos {
+    Scene<double> scene;
+    std::vector<ChaosCycle> cycles;
+    std::vector<ChaosLink> orbits;
+    proof::ChaosClaim claim;  ///< those sets and links alone that are proven, and no two sets with a common point
+    std::vector<int> pieces;  ///< of each of its links
+    proof::GrowthBound bound;
+    double exponent = 0;    ///< the largest Lyapunov exponent of an orbit from the first set: a number without proof
+    std::size_t found = 0;  ///< orbits between cycles, those not taken included
+    std::string reason;     ///< why there is no chaos proven; empty if there is
+    bool whole = true;      ///< false: a stop left some out
+
+    bool proven() const { return bound.entropy > 0; }
+};
+
+/// From cycles of one scene (and of one level of J where it is conserved: that of the first).
+/// @throws as proof::require_chart
+ProvenChaos proven_chaos(const Scene<double>& scene, const std::vector<CyclePlace>& places,
+                         const ChaosOptions& options);
+
+}  // namespace swirl::studies::certify

@@ -1,0 +1,149 @@
+"""swirl certify --chaos, from outside: certify_chaos_command_test.py SWIRL [EDITS]"""
+
+import json
+import math
+import random
+import sys
+import unittest
+
+import numpy
+
+from certificates import with_new_checksum
+from driving import InFolder, document, run
+
+EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 8  # driving has taken SWIRL
+DISK = "--sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1"
+SADDLE = "--near=3.14159265358979,-0.132666166440,0.009408000537,0"
+COMMAND = f"certify {DISK} {SADDLE} --chaos --link-length 4"
+
+
+class CertifyChaos(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.text = run(f"{COMMAND} --json").stdout
+        cls.found = json.loads(cls.text)
+
+    def transitions(self):
+        matrix = numpy.zeros((len(self.found["sets"]),) * 2)
+        for covering in self.found["coverings"]:
+            matrix[covering["from"] - 1, covering["to"] - 1] = 1
+        return matrix
+
+    def test_the_entropy_is_that_of_the_transitions(self):
+        chaos = self.found["chaos"]
+        self.assertTrue(chaos["proven"])
+        radius = max(abs(numpy.linalg.eigvals(self.transitions())))
+        self.assertLessEqual(chaos["growth"], radius * (1 + 1e-12))
+        self.assertAlmostEqual(chaos["entropy"], math.log(radius), 9)
+        self.assertGreater(chaos["entropy"], 0.25)
+        self.assertTrue(0.3 < chaos["exponent"] < 0.6, chaos["exponent"])  # swirl lyapunov's: 0.46
+
+    def test_points_of_sets_go_where_coverings_say(self):
+        """The map itself carries the ends of each set beyond the ends of the next, on different sides."""
+        level = self.found["J"]
+        for covering in self.found["coverings"]:
+            first, second = (self.found["sets"][covering[name] - 1] for name in ("from", "to"))
+            inverse = numpy.linalg.inv(second["matrix"])
+            ends = []
+            for q in (-1, 1):
+                psi, vt = numpy.array(first["centre"]) + numpy.array(first["matrix"]) @ [q, 0.5]
+                x, y = 0.7 + 0.5 * math.cos(psi), 0.5 * math.sin(psi)
+                vn = y - math.sqrt(x * x + y * y - (vt - x) ** 2 + 2 * level)
+                step = document(f"simulate {DISK} --point={psi!r},{vn!r},{vt!r},0 --collisions 1")["collisions"][0]
+                away = numpy.array([step["psi"], step["vt"]]) - second["centre"]
+                away[0] = math.remainder(away[0], 2 * math.pi)
+                ends.append((inverse @ away)[0])
+            self.assertLess(ends[0] * ends[1], -1, covering)
+            self.assertGreater(min(map(abs, ends)), 1, covering)
+
+    def test_bytes_do_not_depend_on_threads(self):
+        for threads in (1, 3):
+            self.assertEqual(run(f"{COMMAND} --json --threads {threads}").stdout, self.text)
+
+    def test_it_is_proven_again(self):
+        again = document(f"certify --check {self.file('chaos.json', self.text)}")
+        count = len(self.found["coverings"])
+        self.assertEqual((again["stated"], again["proven"], again["reason"]), (count, count, None))
+        self.assertEqual(again["entropy"], self.found["chaos"]["entropy"])
+
+    def test_false_claims_are_refused(self):
+        draw = random.Random(7)
+        claims = (self.too_much_entropy, self.moved_set, self.removed_covering, self.other_target, self.other_scene,
+                  self.narrow_target)
+        for i in range(EDITS):
+            edited = json.loads(self.text)
+            claims[i % len(claims)](edited, draw)
+            self.refused(edited)
+
+    def test_edited_certificates_are_refused(self):
+        draw = random.Random(8)
+        end = self.text.rindex('"checksum"')
+        for _ in range(EDITS):
+            place = draw.randrange(end)
+            other = draw.choice([c for c in "0123456789.-abc" if c != self.text[place]])
+            changed = self.text[:place] + other + self.text[place + 1:]
+            self.assertEqual(run(f"certify --check {self.file('edited.json', changed)}").returncode, 2, place)
+
+    def too_much_entropy(self, edited, draw):
+        edited["chaos"]["entropy"] *= 1 + 10 ** draw.uniform(-6, 0)
+        if draw.random() < 0.5:
+            edited["chaos"]["growth"] = math.exp(edited["chaos"]["entropy"]) * (1 + 1e-12)
+
+    def moved_set(self, edited, draw):
+        """By three widths: what covered it does so no more."""
+        chosen = draw.choice(edited["sets"])
+        sign = draw.choice((-1, 1)) * draw.uniform(3, 20)
+        for a, row in enumerate(chosen["matrix"]):
+            chosen["centre"][a] += sign * row[1]
+
+    def removed_covering(self, edited, draw):
+        edited["coverings"].pop(draw.randrange(len(edited["coverings"])))
+
+    def other_target(self, edited, draw):
+        covering = draw.choice(edited["coverings"])
+        taken = {(c["from"], c["to"]) for c in edited["coverings"]}
+        covering["to"] = draw.choice([k + 1 for k in range(len(edited["sets"])) if (covering["from"], k + 1) not in taken])
+
+    def other_scene(self, edited, draw):
+        edited["scene"][draw.choice(("alpha", "beta"))] *= 1 + draw.choice((-1, 1)) * draw.uniform(0.05, 0.3)
+
+    def narrow_target(self, edited, draw):
+        """A set that is squeezed to a tenth of its height no longer holds the images that it held."""
+        chosen = draw.choice(edited["sets"])
+        for row in chosen["matrix"]:
+            row[1] *= draw.uniform(0.001, 0.01)
+
+    def refused(self, edited):
+        edited.pop("checksum")  # it comes last
+        text = with_new_checksum(json.dumps(edited, indent=2).rstrip("}\n") + ",\n  \"checksum\"")
+        result = run(f"certify --check {self.file('edited.json', text)}")
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+
+    def test_the_table_says_the_bound(self):
+        table = run(COMMAND).stdout
+        self.assertIn(f"proven: topological entropy of F >= {self.found['chaos']['entropy']:.6f} per impact", table)
+        self.assertIn("not proven", table.splitlines()[-1])
+        self.assertLessEqual(max(map(len, table.splitlines())), 120)
+
+    def test_where_there_is_none_the_inequality_is_named(self):
+        result = run(f"certify {DISK} --near=0,-0.8497,0.5456,0 --chaos --link-length 4")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("no chaos proven: 0 of its multipliers lie outside the unit circle", " ".join(result.stdout.split()))
+
+    def test_what_cannot_be_is_refused(self):
+        hexagon = "--sides 6 --alpha 0.3 --beta 0.5"
+        for flags, words in ((f"{hexagon} --mu 0 --restitution 1 --all --chaos", "J of a polygon without friction"),
+                             (f"{hexagon} --mu 0 --restitution 0.9 --all --chaos", "every motion dies out"),
+                             (f"{DISK} --all --chaos", "--near psi,vn,vt,S is wanted"),
+                             (f"{hexagon} --mu 0.5 --restitution 1 --chaos", "give one of"),
+                             (f"{hexagon} --mu 0.5 --restitution 1 --all --link-length 4", "--link-length goes with --chaos"),
+                             (f"{DISK} {SADDLE} --chaos --link-length 1", "--link-length: Value 1 not in range 2 to 40"),
+                             (f"{hexagon} --mu 0.5 --restitution 1 --all --chaos --along alpha=0.2:0.4", "--chaos goes with")):
+            result = run(f"certify {flags}")
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (flags, result.stderr))
+            self.assertIn(words, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

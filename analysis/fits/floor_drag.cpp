@@ -114,12 +114,6 @@ double scale_of(const std::vector<Bend>& bends, double noise) {
     return std::max(1.0, std::sqrt(quantile(std::move(squares), 0.5) / median_square_of_one));
 }
 
-/// By how much Student's interval of n parts is longer at 95 % than the normal one, which takes their scatter for
-/// known: 1 + (z² + 1)/(4 (n − 1)), within 3 % of it from 8 on.
-double of_few(std::size_t parts) {
-    return 1 + (sure_drag * sure_drag + 1) / (4 * (static_cast<double>(parts) - 1));
-}
-
 /// Drags, and a floor that carries along with them, of pieces of arcs.
 struct FreeFloor {
     Drags drags;
@@ -219,6 +213,10 @@ std::optional<FreeFloor> free_floor(const FilmArcs& film, double rate) {
 }
 
 }  // namespace
+
+double of_few(std::size_t parts) {
+    return 1 + (sure_drag * sure_drag + 1) / (4 * (static_cast<double>(parts) - 1));
+}
 
 std::vector<ArcPart> parts_between(const FilmArcs& film, std::span<const Kink> kinks) {
     constexpr double sure = 4;  // standard errors

@@ -25,11 +25,14 @@ struct Track {
     Drags drags;
 };
 
-/// Adds what the floor carries (sign 1), or takes it off (−1).
-void carry(Track& track, const FloorMotion& floor, double sign) {
-    if (track.drags.places == 0) return;
-    for (std::size_t i = 0; i < track.times.size(); ++i)
-        track.places[i] += sign * floor.carried(track.times[i], track.drags.places);
+/// Adds what the floor carries and the fall (sign 1), or takes them off (−1).
+void carry(Track& track, const FloorMotion& floor, const UniformFall& fall, double sign) {
+    if (track.drags.places != 0)
+        for (std::size_t i = 0; i < track.times.size(); ++i)
+            track.places[i] += sign * floor.carried(track.times[i], track.drags.places);
+    if (fall.any())
+        for (std::size_t i = 0; i < track.times.size(); ++i)
+            track.places[i] += sign * fall.place(track.times[i], track.drags.places);
 }
 
 Track track_of(std::span<const FilmFrame> frames, double period) {
@@ -261,25 +264,42 @@ Vector3d FloorMotion::carried_velocity(double time, double drag) const {
     return {-rate * place.imag(), rate * place.real(), 0};
 }
 
+Vector3d UniformFall::place(double time, double drag) const {
+    constexpr double small = 1e-4;  // below, the difference of both times loses digits
+    const double t = time - from;
+    const double share =
+        std::abs(drag * t) < small ? t * t / 2 * (1 - drag * t / 3) : (t - dragged_time(t, drag)) / drag;
+    return {share * gravity[0], share * gravity[1], 0};
+}
+
+Vector3d UniformFall::velocity(double time, double drag) const {
+    const double share = dragged_time(time - from, drag);
+    return {share * gravity[0], share * gravity[1], 0};
+}
+
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options) {
     Track track = track_of(frames, period);
     track.drags = options.drags;
-    carry(track, options.floor, -1);
+    carry(track, options.floor, options.fall, -1);
     FilmArcs film;
-    film.drags = options.drags, film.floor = options.floor, film.least_noise = options.least_noise;
+    film.drags = options.drags, film.floor = options.floor, film.fall = options.fall;
+    film.least_noise = options.least_noise;
     film.frames = track.times.size();
     if (film.frames < 3) return film;
     Vector3d noise = first_noise(track).cwiseMax(options.least_noise);
     constexpr int rounds = 3;  // of the noise, that settles to a few in a hundred
     for (int round = 0; round < rounds; ++round) {
-        const Vector3d weights = noise.cwiseProduct(noise).cwiseInverse();
+        const Vector3d dividing = noise.cwiseMax(options.division_noise);
+        const Vector3d weights = dividing.cwiseProduct(dividing).cwiseInverse();
         film.arcs = lines_of(track, divide(track, weights));
         noise = noise_on(film.arcs, noise).cwiseMax(options.least_noise);
-        if (round + 1 < rounds) film.outliers += remove_frames(track, outliers_of(track, film.arcs, noise));
+        if (round + 1 < rounds)
+            film.outliers +=
+                remove_frames(track, outliers_of(track, film.arcs, noise.cwiseMax(options.division_noise)));
     }
     film.place_noise = noise[0], film.angle_noise = noise[2];
     film.noise = noise_of_body(track, film.arcs, noise);
-    carry(track, options.floor, 1);
+    carry(track, options.floor, options.fall, 1);
     for (std::size_t i = 0; i < track.times.size(); ++i) film.kept.push_back({track.times[i], track.places[i]});
     return film;
 }
@@ -291,18 +311,74 @@ double cost_of_division(const FilmArcs& film, double place_noise, double angle_n
            angle_squares / (angle_noise * angle_noise);
 }
 
+namespace {
+
+/// The frames that count, as the film's lines have them.
+Track track_of(const FilmArcs& film) {
+    Track track;
+    track.drags = film.drags;
+    track.after_gap.assign(film.kept.size(), false);
+    for (const FilmFrame& frame : film.kept) track.times.push_back(frame.time), track.places.push_back(frame.place);
+    carry(track, film.floor, film.fall, -1);
+    return track;
+}
+
+/// Each arc fitted to its frames again, with the film's drags and fall.
+void refit(FilmArcs& film) {
+    const Track track = track_of(film);
+    for (FreeArc& arc : film.arcs) {
+        const bool after_gap = arc.after_gap;
+        arc = line_through(track, arc.first, arc.last);
+        arc.after_gap = after_gap;
+    }
+}
+
+}  // namespace
+
 FilmArcs with_drags(const FilmArcs& film, const Drags& drags) {
     FilmArcs other = film;
     other.drags = drags;
-    Track track;
-    track.drags = drags;
-    track.after_gap.assign(film.kept.size(), false);
-    for (const FilmFrame& frame : film.kept) track.times.push_back(frame.time), track.places.push_back(frame.place);
-    carry(track, film.floor, -1);
-    for (FreeArc& arc : other.arcs) {
-        track.after_gap[arc.first] = arc.after_gap;
-        arc = line_through(track, arc.first, arc.last);
+    refit(other);
+    return other;
+}
+
+FilmArcs with_fall(const FilmArcs& film, const Eigen::Vector2d& gravity, const Drags& drags) {
+    FilmArcs other = film;
+    other.fall.gravity = gravity, other.drags = drags;
+    refit(other);
+    return other;
+}
+
+FilmArcs end_pieces(const FilmArcs& film, std::size_t longest) {
+    FilmArcs other = film;
+    const Track track = track_of(film);
+    other.arcs.clear();
+    const auto add = [&](std::size_t first, std::size_t last, bool after_gap) {
+        other.arcs.push_back(line_through(track, first, last));
+        other.arcs.back().after_gap = after_gap;
+    };
+    for (const FreeArc& arc : film.arcs) {
+        const std::size_t trimmed = arc.count < fewest_trimmed ? 0 : 1, first = arc.first + trimmed,
+                          last = arc.last - trimmed;
+        if (last - first + 1 <= longest) {
+            add(first, last, arc.after_gap);
+        } else {
+            add(first, first + longest - 1, arc.after_gap);
+            add(last - longest + 1, last, true);
+        }
     }
+    return other;
+}
+
+FilmArcs with_noise_of(const FilmArcs& film, const std::vector<bool>& counts) {
+    std::vector<FreeArc> some;
+    for (std::size_t k = 0; k < film.arcs.size(); ++k)
+        if (counts[k]) some.push_back(film.arcs[k]);
+    const Vector3d before(film.place_noise, film.place_noise, film.angle_noise);
+    const Vector3d noise = noise_on(some, before).cwiseMax(film.least_noise);
+    FilmArcs other = film;
+    other.place_noise = noise[0], other.angle_noise = noise[2];
+    other.noise = noise_of_body(track_of(film), some, noise);
     return other;
 }
 
@@ -326,7 +402,15 @@ std::vector<Kink> kinks_of(const FilmArcs& film) {
         }
         const double a = before.share(kink.time), b = after.share(kink.time);
         kink.error = std::sqrt((a + b) / bend.squaredNorm());
-        kink.distance = apart(kink.time).squaredNorm() / (a + b);
+        const Vector3d off = apart(kink.time);
+        kink.distance = off.squaredNorm() / (a + b);
+        constexpr double of_noise = 1.386294;  // median of χ² with 2 degrees of freedom
+        kink.apart_for = (off.squaredNorm() - of_noise * (a + b)) / bend.squaredNorm();
+        if (film.impact_time > 0) {
+            const Vector3d lasting = film.impact_time * bend;
+            kink.distance = off.cwiseAbs2().cwiseQuotient((lasting.cwiseAbs2().array() + a + b).matrix()).sum();
+            kink.error = std::hypot(kink.error, film.impact_time);
+        }
         kink.velocity_before = film.velocity_on(before, kink.time);
         kink.velocity_after = film.velocity_on(after, kink.time);
         kink.place = (film.place_on(before, kink.time) / a + film.place_on(after, kink.time) / b) / (1 / a + 1 / b);

@@ -35,6 +35,19 @@ struct FloorMotion {
     Eigen::Vector3d carried_velocity(double time, double drag) const;
 };
 
+/// Gravity g on free bodies, with the drag γ of what holds them up or they move through: X″ = g − γ X′, so that X = A +
+/// B (1 − e^(−γt))/γ + g (t − from)²/2, of a drag g ((t − from) − (1 − e^(−γ(t − from)))/γ)/γ in the last's place. Any
+/// `from` does, near the arcs' times.
+struct UniformFall {
+    Eigen::Vector2d gravity = Eigen::Vector2d::Zero();
+    double from = 0;
+
+    bool any() const { return gravity != Eigen::Vector2d::Zero(); }
+    /// The last, and its velocity; the angle does not fall.
+    Eigen::Vector3d place(double time, double drag) const;
+    Eigen::Vector3d velocity(double time, double drag) const;
+};
+
 /// γ of the places, and γ_r of the angle: θ″ = −γ_r θ′. A uniform film of fluid makes them the same.
 struct Drags {
     double places = 0, angle = 0;
@@ -50,7 +63,7 @@ inline Eigen::Vector3d dragged_times(double time, const Drags& drags) {
 
 /// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time), or with
 /// a drag middle + velocity (dragged_time(time − mean time) − lag), to which FilmArcs::place_on() adds what the floor
-/// carries. Numbers for (x, y, θ), of which the angle's differ with its drag.
+/// carries, or the fall. Numbers for (x, y, θ), of which the angle's differ with its drag.
 struct FreeArc {
     std::size_t first = 0, last = 0;  ///< of the frames that count, both included
     std::size_t count = 0;            ///< frames on it
@@ -92,14 +105,16 @@ struct FilmArcs {
     std::vector<FilmFrame> kept;  ///< those that count, outliers left out, the angle unwound: arcs' first and last
     Drags drags;                  ///< of all arcs
     FloorMotion floor;
+    UniformFall fall;
     Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< as it was given
+    double impact_time = 0;  ///< impacts last so long, or are that far from where arcs meet: an error of their times
 
     /// Of the body on the arc, in the laboratory.
     Eigen::Vector3d place_on(const FreeArc& arc, double time) const {
-        return arc.at(time) + floor.carried(time, drags.places);
+        return arc.at(time) + floor.carried(time, drags.places) + fall.place(time, drags.places);
     }
     Eigen::Vector3d velocity_on(const FreeArc& arc, double time) const {
-        return arc.velocity_at(time) + floor.carried_velocity(time, drags.places);
+        return arc.velocity_at(time) + floor.carried_velocity(time, drags.places) + fall.velocity(time, drags.places);
     }
 };
 
@@ -107,6 +122,10 @@ struct ArcOptions {
     Drags drags;
     FloorMotion floor;
     Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< σ of x, y and θ is taken for no less
+    UniformFall fall = {};
+    /// Frames are divided as if σ were no less than this: where arcs bend by more than noise for reasons of their own,
+    /// a larger one leaves them whole. The film's noise is that of its arcs, as ever.
+    Eigen::Vector3d division_noise = Eigen::Vector3d::Zero();
 };
 
 /// The sequence of lines with the least Σ (residuals/σ)² + `cost_of_arc` · (lines): dynamic programming over the
@@ -114,12 +133,25 @@ struct ArcOptions {
 /// 1590). σ starts from a lower quantile of how far frames lie off the line of their neighbours, where kinks do not
 /// reach, and is then that of the residuals on lines of many frames. Up to two frames between parts of one line are
 /// outliers. `period` is that of the angle; turns from frame to frame are less than half of it, after lost frames near
-/// to what the last turn leads to. Times rise. With a drag lines are those of FloorMotion. O(frames × frames on an
-/// arc).
+/// to what the last turn leads to. Times rise. With a drag lines are those of FloorMotion, with gravity parabolas.
+/// O(frames × frames on an arc).
 FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options = {});
 
 /// The same arcs, each fitted to its frames with other drags. O(frames).
 FilmArcs with_drags(const FilmArcs& film, const Drags& drags);
+/// With another gravity, too.
+FilmArcs with_fall(const FilmArcs& film, const Eigen::Vector2d& gravity, const Drags& drags);
+
+/// The same arcs without the frame next to either end, of those of `fewest_trimmed` or more: a tracker sees an impact
+/// that lasts, or while its shutter is open, beside both arcs. Of an arc of more frames than `longest` there are then
+/// two, its first frames and its last ones, with no kink between them: where arcs bend otherwise than the model has it,
+/// velocities at their ends are those near the ends. O(frames).
+FilmArcs end_pieces(const FilmArcs& film, std::size_t longest);
+inline constexpr std::size_t fewest_trimmed = 7;
+
+/// The same arcs, the noise being that of some of them. As it was where these tell none.
+///   counts  of each arc
+FilmArcs with_noise_of(const FilmArcs& film, const std::vector<bool>& counts);
 
 /// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
 inline constexpr double cost_of_arc = 25;
@@ -142,6 +174,9 @@ struct Kink {
     double change_share = nan;                                ///< its variance in units of σ²
     Eigen::Vector3d drift = Eigen::Vector3d::Constant(nan);   ///< of the place by time: what an error of this moves it
     double distance = nan;  ///< squared, of the lines there, in units of its errors: χ²(2) if one impact lies between
+    /// For how long the change of the velocity makes that distance, beyond what noise does of it; squared, below 0 by
+    /// noise.
+    double apart_for = nan;
 };
 
 /// Kinks of lines with `fewest_frames` or more on both, none across gaps.

@@ -6,6 +6,7 @@
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/fit/fit_document.hpp"
+#include "apps/fit/fit_falls_command.hpp"
 #include "apps/fit/fit_film_command.hpp"
 #include "apps/fit/fit_notes.hpp"
 #include "apps/fit/impact_table.hpp"
@@ -16,11 +17,14 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace swirl::apps::fit {
 
 const char* const fit_details =
-    R"(A table of measured impacts (--impacts), or a film of the body in the dish (--series).
+    R"(A table of measured impacts (--impacts), a film of the body in the dish (--series), or films of falls on a
+straight plate (--falls).
 
 A table has a row an impact: the velocity of the body's centre and its spin before and after, and the
 offset from the centre to the contact. The wall lies along x, y points from it to the body, angles
@@ -47,6 +51,14 @@ impacts also tell the body's alpha: a note says where it is surely another than 
 or more, and from 0.01 on, or where nothing can be fitted, the film is refused, since 1 % in alpha moves
 e by 0.03.
 
+Falls are films of one body that falls on a plate, a file each, with the same flags for their columns and
+the body's size (--side L, or --polygon-radius R). Arcs are parabolas of one gravity (--gravity G, or what
+they tell), slowed by a drag where that is sure; kinks at which one vertex is on the plate are impacts. The
+plate's height and tilt and the vertex' mark are fitted to them, and I/m is what momentum tells beside that of
+a uniform body, unless --inertia-factor gives it. Where arcs bend by more than noise they are divided more
+coarsely, and velocities are those of their ends. Resamples draw falls. Parts of the falls are fitted apart.
+Double impacts and contact that lasts are left out.
+
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes
 on with what momentum asks for. Then e and mu of each law by total least squares with Tukey's
@@ -58,8 +70,9 @@ shows: 95 % of an exact law with parameters known exactly; a fit's own error lea
 impacts, 88 % of 30. The figure of the record (swirl plot) has the profiles, and what
 single impacts ask for against their speeds.
 
-With a table of your own, impacts.csv: `swirl fit --impacts impacts.csv`, with `--inertia 4.6e-4` where I/m was measured. The
-examples make the film that they fit.
+With a table of your own, impacts.csv: `swirl fit --impacts impacts.csv`, with `--inertia 4.6e-4` where I/m was measured. With
+films of falls: `swirl fit --falls fall*.csv --position x y --angle theta --fps 250 --sides 4 --side 0.06`. The examples make the
+film that they fit.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 --time 300 --camera 5 --noise 0.002 -o film.csv
@@ -70,6 +83,7 @@ void FitOptions::add_to(Flags& command) {
     add_file(command, "--impacts", impacts, "FILE",
              "a table of measured impacts (text, a header with the columns' names)");
     film.add_to(command);
+    falls.add_to(command);
     command.add_option("--inertia", inertia, "K", "I/m in the units of --impacts (default: what momentum tells)");
     add_whole_number(command, "--resamples", resamples, "B", 20, 100'000, "of the bootstrap (default 200)");
     add_seed(command, seed, "of the bootstrap and of the parts that are held out (default 1)");
@@ -143,13 +157,21 @@ FitReport fit_of_table(const FitOptions& options, analysis::ImpactFitSettings& s
 }
 
 void require_one_input(const FitOptions& options) {
-    if (options.film.given() && !options.impacts.empty())
-        throw BadInput("--impacts and --series are both given; give one");
-    if (options.film.given() && !options.inertia.empty())
+    const bool of_film = options.film.given(), of_falls = options.falls.given(), of_table = !options.impacts.empty();
+    if (of_film + of_falls + of_table > 1)
+        throw BadInput(of_falls ? "--falls and --impacts or --series are both given; give one"
+                                : "--impacts and --series are both given; give one");
+    if (!of_table && !options.inertia.empty() && (of_film || of_falls))
         throw BadInput("--inertia is a table's; of a film --inertia-factor says it");
-    if (!options.film.given() && options.impacts.empty())
-        throw BadInput("nothing to fit: give --impacts FILE, or a film by --series FILE");
-    if (!options.film.given()) options.film.require_none();
+    if (!of_film && !of_falls && !of_table)
+        throw BadInput("nothing to fit: give --impacts FILE, or a film by --series FILE, or --falls FILE...");
+    if (of_table) options.film.require_none();
+    if (!of_falls) options.falls.require_none();
+}
+
+FitReport report_of(FitOptions& options, analysis::ImpactFitSettings& settings) {
+    if (options.falls.given()) return fit_of_falls(options.film, options.falls, settings);
+    return options.film.given() ? fit_of_film(options.film, settings) : fit_of_table(options, settings);
 }
 
 }  // namespace
@@ -162,10 +184,10 @@ int fit(FitOptions& options) {
     settings.resamples = static_cast<std::size_t>(options.resamples);
     settings.seed = options.seed;
     settings.threads = options.output.threads;
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Law of impact from measurements", {options.impacts, options.film.series.file});
-    const FitReport report =
-        options.film.given() ? fit_of_film(options.film, settings) : fit_of_table(options, settings);
+    std::vector<std::string> inputs = options.falls.files;
+    inputs.insert(inputs.end(), {options.impacts, options.film.series.file});
+    std::optional<RecordWriter> record = open_record(options.output, "Law of impact from measurements", inputs);
+    const FitReport report = report_of(options, settings);
     if (record) {
         write_record(record->root(), report);
         record->finish();

@@ -3,6 +3,7 @@
 
 #include "apps/command_line/output_options.hpp"
 #include "apps/fit/dish_film.hpp"
+#include "apps/fit/fallen_bodies.hpp"
 
 #include <cstdint>
 #include <string>
@@ -13,6 +14,7 @@ struct FitOptions {
     OutputOptions output;
     std::string impacts;  ///< a table of measured impacts
     FilmOptions film;
+    FallsOptions falls;
     std::string inertia;  ///< I/m as text; empty: momentum tells it
     std::int64_t resamples = 200;
     std::uint64_t seed = 1;

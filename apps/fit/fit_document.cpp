@@ -120,6 +120,19 @@ std::string interval_in_words(const FittedNumber& number) {
     return fmt::format("{:<12.5g} [{:.5g}, {:.5g}]", number.value, number.low, number.high);
 }
 
+/// Of falls beside that of a uniform body, and of a given one beside what momentum alone tells.
+std::string inertia_in_words(const FitReport& report) {
+    const ImpactFit& fit = report.fit;
+    if (!report.inertia_given)
+        return interval_in_words(fit.inertia) +
+               (report.falls ? fmt::format(" by momentum; {:.5g} of a uniform body", report.falls->source.body.inertia)
+                             : "");
+    const std::string given = fmt::format("{:<12.6g} given", fit.inertia.value);
+    if (!report.falls) return given;
+    return given + fmt::format("; momentum alone tells {:.5g} [{:.5g}, {:.5g}]", fit.balance.value, fit.balance.low,
+                               fit.balance.high);
+}
+
 }  // namespace
 
 void write_json(const FitReport& report) {
@@ -133,6 +146,7 @@ void write_json(const FitReport& report) {
         write_json(json, "laws", law_table(), fit.laws);
         write_json(json, "constancy", constancy_table(), fit.constancy);
         if (report.film) write_json(json, *report.film);
+        if (report.falls) write_json(json, *report.falls);
         json.list("notes", report.notes, JsonLayout::rows);
         write_json(json, "settings", report.settings);
     });
@@ -154,6 +168,7 @@ void write_record(const RecordGroup& root, const FitReport& report) {
     write_record(root.group("restitution_profile"), profile_table(), points_of(fit.restitution_profile));
     write_record(root.group("friction_profile"), profile_table(), points_of(fit.friction_profile));
     if (report.film) write_record(root, *report.film);
+    if (report.falls) write_record(root, *report.falls);
 }
 
 void print_report(const FitReport& report) {
@@ -162,18 +177,19 @@ void print_report(const FitReport& report) {
         report.left_out > 0 ? fmt::format(" of {}, {} left out", report.rows, report.left_out) : "";
     if (report.film)
         print_film(*report.film);
+    else if (report.falls)
+        print_falls(*report.falls);
     else
         fmt::print("{} impacts{}\n", fit.impacts.size(), left_out);
-    fmt::print(
-        "  restitution e   {}\n  friction mu     {}\n  inertia I/m     {}\n", interval_in_words(fit.restitution),
-        interval_in_words(fit.friction),
-        report.inertia_given ? fmt::format("{:<12.6g} given", fit.inertia.value) : interval_in_words(fit.inertia));
+    fmt::print("  restitution e   {}\n  friction mu     {}\n  inertia I/m     {}\n", interval_in_words(fit.restitution),
+               interval_in_words(fit.friction), inertia_in_words(report));
     fmt::print("  law             {}{}\n", fit.laws[fit.best].name, fit.law_decided ? "" : ", not decided");
     fmt::print("  noise           {:.3g} of a velocity, {:.3g} of a spin; scatter about the law {:.3g} times that\n",
                fit.velocity_noise, fit.spin_noise, fit.scatter);
     fmt::print("  predicted       {:.1f} % of held-out impacts within the noise\n", 100 * fit.predicted);
     print_table(law_table(), fit.laws);
     for (const std::string& note : report.notes) fmt::print("{}\n", wrapped("note: " + note, 2));
+    if (report.falls) print_subsets(*report.falls);
     if (report.film) print_commands(*report.film);
 }
 

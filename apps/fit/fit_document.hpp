@@ -3,6 +3,7 @@
 
 #include "analysis/fits/fit_impacts.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/fit/falls_document.hpp"
 #include "apps/fit/film_document.hpp"
 #include "apps/record/record_writer.hpp"
 
@@ -19,7 +20,8 @@ struct FitReport {
     bool inertia_given = false;
     std::vector<std::string> notes;
     Settings settings;
-    std::optional<FilmReport> film;  ///< where the impacts are those of a film
+    std::optional<FilmReport> film;    ///< where the impacts are those of a film in the dish
+    std::optional<FallsReport> falls;  ///< where they are those of falls on a plate
 };
 
 void write_json(const FitReport& report);

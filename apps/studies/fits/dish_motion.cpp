@@ -1,6 +1,7 @@
 #include "apps/studies/fits/dish_motion.hpp"
 
 #include "analysis/fits/robust.hpp"
+#include "apps/studies/fits/plane_vectors.hpp"
 #include "map/model/scene.hpp"
 
 #include <Eigen/Cholesky>
@@ -18,10 +19,6 @@ namespace {
 using Eigen::Vector2d;
 using Kinks = std::span<const analysis::Kink>;
 using Gradient = Eigen::Matrix<double, 6, 1>;
-
-Vector2d direction(double angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
 
 /// Of numbers about 1, whose squares neither overflow nor vanish; std::hypot takes five times as long.
 double length_of(double a, double b) {
@@ -45,13 +42,6 @@ double badness(Kinks kinks, const FilmedScene& scene, const DishMotion& dish) {
     return sum / static_cast<double>(kinks.size());
 }
 
-/// Robust standard deviation about 0.
-double scale_of(const std::vector<double>& values) {
-    std::vector<double> squares;
-    for (const double value : values) squares.push_back(value * value);
-    return std::sqrt(analysis::quantile(squares, 0.5) / analysis::median_square_of_one);
-}
-
 /// One equation of a kink, over its standard error, and its slopes by origin, phase, rate (about `middle`), mark and α.
 struct Equation {
     double left = 0;
@@ -61,14 +51,6 @@ struct Equation {
 struct KinkEquations {
     Equation wall, momentum;
 };
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-Vector2d turned(const Vector2d& a) {
-    return {-a[1], a[0]};
-}
 
 KinkEquations equations_of(const analysis::Kink& kink, double middle, const FilmNoise& noise, const FilmedScene& scene,
                            const DishMotion& dish) {

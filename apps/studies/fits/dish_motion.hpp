@@ -35,6 +35,8 @@ struct Contact {
     Eigen::Vector2d wall;    ///< the wall's velocity
     double gap = 0;          ///< of it: 0 on the wall, > 0 outside
     double next_gap = 0;     ///< of the vertex that reaches farthest of the others; −1 of a disk
+    double curvature = 1;    ///< of the wall; 0: it is straight
+    double doubt = 0;        ///< standard error of the wall's place
 };
 Contact contact_at(const FilmedScene& scene, const DishMotion& dish, double time, const Eigen::Vector3d& place);
 

@@ -2,10 +2,8 @@
 #include "apps/studies/fits/film_drag.hpp"
 #include "apps/studies/fits/film_impacts.hpp"
 #include "apps/studies/fits/impact_laws.hpp"
+#include "apps/studies/fits/noisier_films.hpp"
 #include "map/model/scene.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -35,26 +33,6 @@ std::vector<Kink> used_kinks(const FilmFit& film) {
     return used;
 }
 
-/// All that are merged, and of the others as many as are fitted.
-std::vector<analysis::AlikeImpacts> fitted_groups(FilmFit& film, const std::vector<analysis::AlikeImpacts>& groups) {
-    const auto singles = static_cast<std::size_t>(
-        std::count_if(groups.begin(), groups.end(), [](const auto& group) { return !group.merged(); }));
-    const std::size_t kept = std::min(singles, most_fitted_impacts);
-    film.thinned = singles - kept;
-    std::vector<analysis::AlikeImpacts> fitted;
-    std::size_t single = 0;
-    for (const analysis::AlikeImpacts& group : groups) {
-        if (group.merged()) {
-            film.alike += group.members.size();
-            fitted.push_back(group);
-        } else {  // kept evenly
-            if ((single + 1) * kept / singles > single * kept / singles) fitted.push_back(group);
-            ++single;
-        }
-    }
-    return fitted;
-}
-
 /// What is common to the errors of alike kinks turns the swirl's phase and the mark, too: fitted to the same kinks,
 /// they are no better known than common_error of one of them, by the share of alike ones.
 DishMotion with_common_error(const DishMotion& dish, const FilmFit& film, const std::vector<Kink>& used,
@@ -72,15 +50,6 @@ DishMotion with_common_error(const DishMotion& dish, const FilmFit& film, const 
     return moved;
 }
 
-/// Each alone where too few would be left.
-std::vector<analysis::AlikeImpacts> groups_of(const std::vector<analysis::MeasuredImpact>& impacts) {
-    std::vector<analysis::AlikeImpacts> groups = analysis::alike_impacts(impacts);
-    if (groups.size() >= analysis::fewest_impacts) return groups;
-    groups.clear();
-    for (std::size_t i = 0; i < impacts.size(); ++i) groups.push_back({{i}, i, 1});
-    return groups;
-}
-
 std::vector<double> all_once(std::size_t count) {
     return std::vector<double>(count, 1.0);
 }
@@ -94,21 +63,6 @@ void settle_dish(FilmFit& film, const std::vector<Kink>& kinks, const FilmNoise&
         if (used.size() < fewest_kinks) return;
         if (round + 1 < rounds) film.dish = refined_dish(used, {}, noise, scene, film.dish);
     }
-}
-
-/// The film with as much noise again as was found in it, other noise for each draw.
-std::vector<analysis::FilmFrame> with_more_noise(std::span<const analysis::FilmFrame> frames,
-                                                 const Eigen::Matrix3d& covariance, std::uint64_t seed,
-                                                 std::size_t draw) {
-    const Eigen::Matrix3d root = covariance.llt().matrixL();
-    std::vector<analysis::FilmFrame> noisier(frames.begin(), frames.end());
-    for (std::size_t i = 0; i < noisier.size(); ++i) {
-        Vector3d& place = noisier[i].place;
-        Vector3d added = root * analysis::normal_draws(seed, draw, i);
-        added.head<2>() = Eigen::Rotation2Dd(place[2]) * Vector2d(added.head<2>());
-        place += added;
-    }
-    return noisier;
 }
 
 /// The film's later half, beyond the start, each frame as if the body struck the wall there.
@@ -254,17 +208,6 @@ std::vector<std::vector<analysis::MeasuredImpact>> with_more_drag(const FilmFit&
     return moved;
 }
 
-/// Adds so much of how `moved` differ from `impacts`.
-void add_share(std::vector<analysis::MeasuredImpact>& seen, double share,
-               const std::vector<analysis::MeasuredImpact>& moved,
-               const std::vector<analysis::MeasuredImpact>& impacts) {
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        seen[i].before += share * (moved[i].before - impacts[i].before);
-        seen[i].after += share * (moved[i].after - impacts[i].after);
-        seen[i].offset += share * (moved[i].offset - impacts[i].offset);
-    }
-}
-
 /// The law by the used impacts.
 void fit_law(FilmFit& film, const std::vector<Kink>& used, const FilmedScene& scene,
              analysis::ImpactFitSettings settings) {
@@ -274,7 +217,9 @@ void fit_law(FilmFit& film, const std::vector<Kink>& used, const FilmedScene& sc
     settings.signs_known = true;  // with another sense of the angle no wall would have been found
     const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
     const std::vector<analysis::MeasuredImpact> impacts = impacts_at(film.arcs, used, scene, film.dish);
-    const std::vector<analysis::AlikeImpacts> groups = fitted_groups(film, groups_of(impacts));
+    const FittedGroups fitted = fitted_groups(impacts);
+    const std::vector<analysis::AlikeImpacts>& groups = fitted.groups;
+    film.thinned = fitted.thinned, film.alike = fitted.alike;
     const auto dragged = with_more_drag(film, used, scene);
     settings.resampled = [&](std::uint64_t index) {
         const std::vector<double> weights = analysis::bootstrap_weights(used.size(), settings.seed, index);
@@ -334,49 +279,6 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     return film;
 }
 
-/// μ of a noisier film that is so many times the other, or less than one over that, is another minimum's.
-constexpr double another_minimum = 1.5;
-
-void lengthen(analysis::FittedNumber& number, double shift) {
-    number.low = std::max(0.0, number.low - std::max(0.0, shift));
-    number.high -= std::min(0.0, shift);
-}
-
-/// Intervals longer by what noise does.
-void add_noise_shift(FilmFit& film, const std::vector<FilmFit>& noisier) {
-    analysis::FittedNumber &e = film.fit.restitution, &mu = film.fit.friction;
-    std::vector<double> others;
-    double near = 0;
-    for (const FilmFit& other : noisier) {
-        if (other.outcome != FilmFitOutcome::fitted) continue;
-        ++film.noisier;
-        film.restitution_shift += other.fit.restitution.value - e.value;
-        const double ratio = other.fit.friction.value / mu.value;
-        if (film.fit.friction_open || ratio > another_minimum || ratio * another_minimum < 1)
-            others.push_back(other.fit.friction.value);
-        else
-            film.friction_shift += other.fit.friction.value - mu.value, near += 1;
-    }
-    if (film.noisier == 0) return;
-    film.restitution_shift /= static_cast<double>(film.noisier);
-    film.friction_shift /= std::max(1.0, near);
-    // Resamples of few different impacts may lie to one side of what they are resamples of.
-    const double room = std::max(e.value - e.low, e.high - e.value);
-    e.low = std::max(0.0, e.value - room), e.high = e.value + room;
-    lengthen(e, film.restitution_shift);
-    e.high = std::min(1.0, e.high);
-    // Of μ where both ends belong to one minimum.
-    constexpr double lopsided = 5;
-    const double below = mu.value - mu.low, above = mu.high - mu.value;
-    if (above < lopsided * below && below < lopsided * above)
-        mu.low = std::max(0.0, mu.value - std::max(below, above)), mu.high = mu.value + std::max(below, above);
-    lengthen(mu, film.friction_shift);
-    for (const double other : others) mu.low = std::min(mu.low, other), mu.high = std::max(mu.high, other);
-    constexpr double held = analysis::largest_friction / 2;  // no impact tells friction from any that is larger
-    film.fit.friction_open = film.fit.friction_open || mu.high > held;
-    if (film.fit.friction_open) mu.value = mu.high = analysis::nan;
-}
-
 }  // namespace
 
 double unseen_drag_shift(const FilmFit& film) {
@@ -410,11 +312,15 @@ FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, con
     const DragSearch alike{{film.drag.floor, false}, film.arcs.drags};
     FilmSetting found = setting;
     found.origin = film.dish.origin;
-    std::vector<FilmFit> noisier;
-    for (std::size_t draw = 0; draw < noisier_films; ++draw)
-        noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene, found,
-                                   values_alone, alike));
-    add_noise_shift(film, noisier);
+    std::vector<analysis::ImpactFit> noisier;
+    for (std::size_t draw = 0; draw < noisier_films; ++draw) {
+        const FilmFit other = fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene,
+                                       found, values_alone, alike);
+        if (other.outcome == FilmFitOutcome::fitted) noisier.push_back(other.fit);
+    }
+    const NoiseShift shift = add_noise_shift(film.fit, noisier);
+    film.noisier = noisier.size();
+    film.restitution_shift = shift.restitution, film.friction_shift = shift.friction;
     return film;
 }
 

@@ -34,15 +34,20 @@ double gap_error(const FilmArcs& film, const FilmedScene& scene, double share) {
 constexpr double unseen = 11;
 
 /// The body is clear of the wall at the middle of the arc.
-bool leaves_wall(const FilmArcs& film, const FreeArc& arc, const FilmedScene& scene, const DishMotion& dish) {
-    const Contact contact = contact_at(scene, dish, arc.mean_time, film.place_on(arc, arc.mean_time));
-    return contact.gap < -unseen * gap_error(film, scene, 1 / static_cast<double>(arc.count));
+bool leaves_wall(const FilmArcs& film, const FreeArc& arc, const FilmedScene& scene, const ContactAt& contact_of) {
+    const Contact contact = contact_of(arc.mean_time, film.place_on(arc, arc.mean_time));
+    return contact.gap <
+           -std::hypot(unseen * gap_error(film, scene, 1 / static_cast<double>(arc.count)), sure * contact.doubt);
 }
 
 /// Both arcs of the kink do.
-bool leave_wall(const FilmArcs& film, const Kink& kink, const FilmedScene& scene, const DishMotion& dish) {
-    return leaves_wall(film, film.arcs[kink.before], scene, dish) &&
-           leaves_wall(film, film.arcs[kink.before + 1], scene, dish);
+bool leave_wall(const FilmArcs& film, const Kink& kink, const FilmedScene& scene, const ContactAt& contact_of) {
+    return leaves_wall(film, film.arcs[kink.before], scene, contact_of) &&
+           leaves_wall(film, film.arcs[kink.before + 1], scene, contact_of);
+}
+
+ContactAt on_dish(const FilmedScene& scene, const DishMotion& dish) {
+    return [&scene, &dish](double time, const Vector3d& place) { return contact_at(scene, dish, time, place); };
 }
 
 /// Relative to the wall, in the axes of the contact.
@@ -67,22 +72,24 @@ analysis::MeasuredImpact measured(const FilmArcs& film, const Kink& kink, const 
     // An error along the wall turns the axes, and with the body's own the offset.
     const KinkErrors errors = errors_of(kink, {film.place_noise, film.angle_noise}, scene, contact);
     const double impulse = (impact.after - impact.before).head<2>().norm();
-    const double of_axes = impulse * errors.along;
+    const double turn = contact.curvature * errors.along;
+    const double of_axes = impulse * turn;
     const double of_offset =
-        scene.sides == disk_sides ? 0 : impulse * scene.alpha * std::hypot(errors.turn, errors.along) / scene.inertia;
+        scene.sides == disk_sides ? 0 : impulse * scene.alpha * std::hypot(errors.turn, turn) / scene.inertia;
     impact.error_after[0] = std::hypot(impact.error_after[0], of_axes);
     impact.error_after[1] = std::hypot(impact.error_after[1], of_axes);
     impact.error_after[2] = std::hypot(impact.error_after[2], of_offset);
     return impact;
 }
 
-KinkUse use_of(const FilmArcs& film, const FilmImpact& found, const FilmedScene& scene, const DishMotion& dish) {
+KinkUse use_of(const FilmArcs& film, const FilmImpact& found, const FilmedScene& scene, const ContactAt& contact_of) {
     const Kink& kink = found.kink;
     if (!lines_meet(kink)) return KinkUse::no_meeting;
-    const double error = errors_of(kink, {film.place_noise, film.angle_noise}, scene, found.contact).across;
+    const double error = std::hypot(errors_of(kink, {film.place_noise, film.angle_noise}, scene, found.contact).across,
+                                    found.contact.doubt);
     if (std::abs(found.contact.gap) > sure * error) return KinkUse::off_the_wall;
     if (found.contact.next_gap > -sure * error) return KinkUse::two_vertices;
-    if (!leave_wall(film, kink, scene, dish)) return KinkUse::stays_on_wall;
+    if (!leave_wall(film, kink, scene, contact_of)) return KinkUse::stays_on_wall;
     if (analysis::contact_velocity(found.impact.offset, found.impact.before)[1] >= 0) return KinkUse::no_approach;
     return KinkUse::used;
 }
@@ -117,30 +124,39 @@ std::vector<Kink> clear_kinks(const FilmArcs& film, std::span<const Kink> kinks,
                               const DishMotion& dish) {
     std::vector<Kink> clear;
     for (const Kink& kink : kinks)
-        if (leave_wall(film, kink, scene, dish)) clear.push_back(kink);
+        if (leave_wall(film, kink, scene, on_dish(scene, dish))) clear.push_back(kink);
     return clear;
 }
 
 std::vector<FilmImpact> film_impacts(const FilmArcs& film, std::span<const Kink> kinks, const FilmedScene& scene,
-                                     const DishMotion& dish) {
+                                     const ContactAt& contact_of) {
     std::vector<FilmImpact> impacts;
     for (const Kink& kink : kinks) {
         FilmImpact found;
         found.kink = kink;
-        found.contact = contact_at(scene, dish, kink.time, kink.place);
+        found.contact = contact_of(kink.time, kink.place);
         found.impact = measured(film, kink, scene, found.contact);
-        found.use = use_of(film, found, scene, dish);
+        found.use = use_of(film, found, scene, contact_of);
         impacts.push_back(found);
     }
     return impacts;
 }
 
+std::vector<FilmImpact> film_impacts(const FilmArcs& film, std::span<const Kink> kinks, const FilmedScene& scene,
+                                     const DishMotion& dish) {
+    return film_impacts(film, kinks, scene, on_dish(scene, dish));
+}
+
+std::vector<analysis::MeasuredImpact> impacts_at(const FilmArcs& film, std::span<const Kink> kinks,
+                                                 const FilmedScene& scene, const ContactAt& contact_of) {
+    std::vector<analysis::MeasuredImpact> impacts;
+    for (const Kink& kink : kinks) impacts.push_back(measured(film, kink, scene, contact_of(kink.time, kink.place)));
+    return impacts;
+}
+
 std::vector<analysis::MeasuredImpact> impacts_at(const FilmArcs& film, std::span<const Kink> kinks,
                                                  const FilmedScene& scene, const DishMotion& dish) {
-    std::vector<analysis::MeasuredImpact> impacts;
-    for (const Kink& kink : kinks)
-        impacts.push_back(measured(film, kink, scene, contact_at(scene, dish, kink.time, kink.place)));
-    return impacts;
+    return impacts_at(film, kinks, scene, on_dish(scene, dish));
 }
 
 namespace {

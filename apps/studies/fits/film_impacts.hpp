@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -41,9 +42,14 @@ struct FilmImpact {
     analysis::MeasuredImpact impact;  ///< of those used: the wall's velocity taken off, along its axes
 };
 
+/// Where a body at (x, y, θ) would be on the wall.
+using ContactAt = std::function<Contact(double time, const Eigen::Vector3d& place)>;
+
 /// Velocities relative to the wall along the axes of the contact (x along the wall, counter-clockwise; y inwards), of
 /// both arcs, with their errors; that of the place turns axes and offset, what the impulse, known from the velocities,
 /// makes of it is added to the errors after.
+std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
+                                     const FilmedScene& scene, const ContactAt& contact);
 std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
                                      const FilmedScene& scene, const DishMotion& dish);
 
@@ -57,6 +63,8 @@ bool lines_meet(const analysis::Kink& kink);
 std::vector<analysis::Kink> meeting_kinks(const analysis::FilmArcs& film);
 
 /// Each kink as an impact of the vertex that reaches farthest, whatever its use.
+std::vector<analysis::MeasuredImpact> impacts_at(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
+                                                 const FilmedScene& scene, const ContactAt& contact);
 std::vector<analysis::MeasuredImpact> impacts_at(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
                                                  const FilmedScene& scene, const DishMotion& dish);
 

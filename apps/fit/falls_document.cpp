@@ -1,0 +1,229 @@
+#include "apps/fit/falls_document.hpp"
+
+#include "apps/output/wrapped.hpp"
+#include "apps/output/write_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+namespace swirl::apps::fit {
+
+namespace {
+
+using studies::FilmImpact;
+using studies::KinkUse;
+using studies::SubsetFit;
+
+/// Usable impacts beyond the first of those that are fitted as one.
+std::size_t repeats_of(const studies::FallsFit& falls) {
+    return falls.counts[static_cast<std::size_t>(KinkUse::used)] - falls.thinned - falls.fit.impacts.size() -
+           falls.fit.left_out;
+}
+
+Settings counts_of(const studies::FallsFit& falls) {
+    Settings counts;
+    for (std::size_t use = 1; use < studies::kink_uses; ++use)
+        counts.emplace_back(std::string(studies::names_of(KinkUse{static_cast<int>(use)}).key),
+                            static_cast<std::int64_t>(falls.counts[use]));
+    counts.emplace_back("thinned", static_cast<std::int64_t>(falls.thinned));
+    counts.emplace_back("alike", static_cast<std::int64_t>(repeats_of(falls)));
+    return counts;
+}
+
+/// In the table's lengths.
+Eigen::Vector2d gravity_of(const FallsReport& report) {
+    return report.source.body.radius * report.falls.arcs.fall.gravity;
+}
+
+Settings falls_settings(const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    const double radius = report.source.body.radius;
+    const Eigen::Vector2d gravity = gravity_of(report), error = radius * falls.fall.error;
+    return {{"falls", static_cast<std::int64_t>(report.source.falls.size())},
+            {"frames", static_cast<std::int64_t>(falls.arcs.frames)},
+            {"outliers", static_cast<std::int64_t>(falls.arcs.outliers)},
+            {"arcs", static_cast<std::int64_t>(falls.arcs.arcs.size())},
+            {"kinks", static_cast<std::int64_t>(falls.impacts.size())},
+            {"place_noise", radius * falls.arcs.place_noise},
+            {"angle_noise", falls.arcs.angle_noise},
+            {"gravity", std::vector<double>{gravity[0], gravity[1]}},
+            {"gravity_error", std::vector<double>{error[0], error[1]}},
+            {"drag", falls.fall.drag.value},
+            {"drag_error", falls.fall.drag.error},
+            {"spin_drag", falls.fall.spin.value},
+            {"spin_drag_error", falls.fall.spin.error},
+            {"arcs_drag", falls.fall.model.drags.places},
+            {"arcs_spin_drag", falls.fall.model.drags.angle},
+            {"division", falls.division},
+            {"impact_time", falls.arcs.impact_time},
+            {"plate_height", radius * falls.plate.height},
+            {"plate_tilt", falls.plate.tilt},
+            {"vertex", falls.plate.mark},
+            {"off_plate", radius * falls.plate.off_plate},
+            {"polygon_radius", radius},
+            {"resampled", falls.by_falls ? "falls" : "impacts"},
+            {"predicted_in_scatter", falls.predicted_in_scatter},
+            {"noisier_films", static_cast<std::int64_t>(falls.noisier)},
+            {"restitution_shift", falls.restitution_shift},
+            {"friction_shift", falls.friction_shift}};
+}
+
+Table<SubsetFit> subset_table() {
+    using F = Field<SubsetFit>;
+    const auto of = [](analysis::FittedNumber SubsetFit::*number, double analysis::FittedNumber::*end) {
+        return [number, end](const SubsetFit& subset) { return subset.*number.*end; };
+    };
+    using N = analysis::FittedNumber;
+    return {
+        {"subset"},
+        {F{"part", &SubsetFit::name, "", "of the impacts"}.coordinate().shown("  part", "  {:<14}"),
+         F{"falls", [](const SubsetFit& s) { return static_cast<std::int64_t>(s.falls); }, "1", "it has"}.shown(
+             "falls", " {:>5}"),
+         F{"impacts", [](const SubsetFit& s) { return static_cast<std::int64_t>(s.impacts); }, "1", "it has"}.shown(
+             "impacts", " {:>7}"),
+         F{"restitution", of(&SubsetFit::restitution, &N::value), "1", "e; NaN: fewer than 8 impacts"}.shown(
+             "e", " {:>7.4f}"),
+         F{"restitution_low", of(&SubsetFit::restitution, &N::low), "1", "of its interval at 95 %"}.shown("from",
+                                                                                                          " {:>7.4f}"),
+         F{"restitution_high", of(&SubsetFit::restitution, &N::high), "1", "of its interval"}.shown("to", " {:>7.4f}"),
+         F{"friction", of(&SubsetFit::friction, &N::value), "1", "mu; NaN: it has no upper end"}.shown("mu",
+                                                                                                       " {:>7.4f}"),
+         F{"friction_low", of(&SubsetFit::friction, &N::low), "1", "of its interval at 95 %"}.shown("from",
+                                                                                                    " {:>7.4f}"),
+         F{"friction_high", of(&SubsetFit::friction, &N::high), "1", "of its interval"}.shown("to", " {:>7.4f}")}};
+}
+
+struct FallFrame {
+    std::size_t fall;
+    analysis::FilmFrame frame;
+};
+
+Table<FallFrame> fall_frame_table() {
+    using F = Field<FallFrame>;
+    const auto of = [](Eigen::Index axis) {
+        return [axis](const FallFrame& frame) { return frame.frame.place[axis]; };
+    };
+    return {{"frame"},
+            {F{"fall", [](const FallFrame& f) { return static_cast<std::int64_t>(f.fall); }, "1", "number of its file"},
+             F{"time", [](const FallFrame& f) { return f.frame.time; }, "1", "from its first frame on"},
+             F{"x", of(0), "1", "of the centre, y up; NaN: lost"}, F{"y", of(1), "1", "of the centre"},
+             F{"angle", of(2), "rad", "as measured"}}};
+}
+
+struct FallKink {
+    std::size_t fall;
+    double start, radius;
+    FilmImpact found;
+};
+
+Table<FallKink> fall_kink_table() {
+    using F = Field<FallKink>;
+    return {{"kink"},
+            {F{"fall", [](const FallKink& k) { return static_cast<std::int64_t>(k.fall); }, "1", "number of its file"},
+             F{"time", [](const FallKink& k) { return k.found.kink.time - k.start; }, "1", "where the arcs meet"},
+             F{"time_error", [](const FallKink& k) { return k.found.kink.error; }, "1", "its standard error"},
+             F{"x", [](const FallKink& k) { return k.radius * k.found.kink.place[0]; }, "1", "of the centre there"},
+             F{"y", [](const FallKink& k) { return k.radius * k.found.kink.place[1]; }, "1", "of the centre there"},
+             F{"angle", [](const FallKink& k) { return k.found.kink.place[2]; }, "rad", "there"},
+             F{"use", [](const FallKink& k) { return std::string(studies::names_of(k.found.use).name); }, "",
+               "used, or why it was left out; the wall is the plate"},
+             F{"gap", [](const FallKink& k) { return k.radius * k.found.contact.gap; }, "1",
+               "of the vertex on the plate; > 0: beyond it"},
+             F{"next_gap", [](const FallKink& k) { return k.radius * k.found.contact.next_gap; }, "1",
+               "of the next vertex"},
+             F{"distance", [](const FallKink& k) { return k.found.kink.distance; }, "1",
+               "squared, of the arcs there, in units of its errors"}}};
+}
+
+std::vector<FallKink> kinks_of(const FallsReport& report) {
+    std::vector<FallKink> kinks;
+    for (const FilmImpact& found : report.falls.impacts) {
+        const std::size_t fall = report.falls.fall_at(found.kink.time);
+        kinks.push_back({fall, report.falls.starts[fall], report.source.body.radius, found});
+    }
+    return kinks;
+}
+
+std::vector<FallFrame> frames_of(const FallsReport& report) {
+    std::vector<FallFrame> frames;
+    for (std::size_t fall = 0; fall < report.source.falls.size(); ++fall)
+        for (const analysis::FilmFrame& frame : report.source.falls[fall]) frames.push_back({fall, frame});
+    return frames;
+}
+
+std::string gravity_in_words(const FallsReport& report) {
+    const Eigen::Vector2d gravity = gravity_of(report);
+    constexpr double degrees = 180 / std::numbers::pi;
+    if (report.source.setting.gravity) return fmt::format("{:.5g} given", gravity.norm());
+    return fmt::format("{:.5g} +- {:.2g} by {} free arcs, {:.2g} degrees off -y", gravity.norm(),
+                       report.source.body.radius * report.falls.fall.error[1], report.falls.fall.arcs,
+                       degrees * std::abs(std::atan2(gravity[0], -gravity[1])));
+}
+
+std::string drag_in_words(const analysis::DragFit& drag) {
+    if (std::isnan(drag.value)) return "can't be told";
+    return fmt::format("{:.3g} +- {:.2g}{}", drag.value, drag.error, drag.surely_drags() ? "" : ", as if 0");
+}
+
+}  // namespace
+
+void write_json(JsonWriter& json, const FallsReport& report) {
+    write_json(json, "falls", falls_settings(report));
+    write_json(json, "kinks_left_out", counts_of(report.falls));
+    write_json(json, "subsets", subset_table(), report.falls.subsets);
+}
+
+void write_record(const RecordGroup& root, const FallsReport& report) {
+    const RecordGroup group = root.group("falls");
+    write_attributes(group, falls_settings(report));
+    write_attributes(group.group("left_out"), counts_of(report.falls));
+    write_record(root.group("frames"), fall_frame_table(), frames_of(report));
+    write_record(root.group("kinks"), fall_kink_table(), kinks_of(report));
+    write_record(root.group("subsets"), subset_table(), report.falls.subsets);
+}
+
+void print_falls(const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    const double radius = report.source.body.radius;
+    fmt::print("{} falls, {} frames{}, {} arcs, {} impacts between them\n", report.source.falls.size(),
+               falls.arcs.frames, falls.arcs.outliers > 0 ? fmt::format(" ({} outliers)", falls.arcs.outliers) : "",
+               falls.arcs.arcs.size(), falls.impacts.size());
+    fmt::print("  tracker         noise {:.3g} of a place, {:.3g} rad of an angle\n", radius * falls.arcs.place_noise,
+               falls.arcs.angle_noise);
+    fmt::print("  gravity         {}\n", gravity_in_words(report));
+    fmt::print("  drag            {} of the velocity per unit of time; of the spin {}\n",
+               drag_in_words(falls.fall.drag), drag_in_words(falls.fall.spin));
+    fmt::print("  plate           at y = {:.4g} + {:.3g} x; vertices are {:.2g} off it at impacts\n",
+               radius * falls.plate.height / std::cos(falls.plate.tilt), std::tan(falls.plate.tilt),
+               radius * falls.plate.off_plate);
+    std::vector<std::string> reasons;
+    for (std::size_t use = 1; use < studies::kink_uses; ++use)
+        if (falls.counts[use] > 0)
+            reasons.push_back(
+                fmt::format("{} {}", falls.counts[use], studies::names_of(KinkUse{static_cast<int>(use)}).words));
+    if (repeats_of(falls) > 0) reasons.push_back(fmt::format("{} like others, in their means", repeats_of(falls)));
+    if (falls.thinned > 0) reasons.push_back(fmt::format("{} thinned", falls.thinned));
+    if (falls.noisier > 0)
+        fmt::print("  as much noise   again moves e by {:.2g}, mu by {:.2g} ({} films)\n", falls.restitution_shift,
+                   falls.friction_shift, falls.noisier);
+    fmt::print("{}\n",
+               wrapped(fmt::format("  used            {} impacts{}", falls.fit.impacts.size(),
+                                   reasons.empty() ? "" : fmt::format("; left out: {}", fmt::join(reasons, ", "))),
+                       18));
+}
+
+void print_subsets(const FallsReport& report) {
+    fmt::print("{:.1f} % of held-out impacts lie within the scatter of the impacts about the law\n",
+               100 * report.falls.predicted_in_scatter);
+    if (report.falls.subsets.empty()) return;
+    fmt::print("parts of the impacts, intervals at 95 % (resamples draw {}):\n",
+               report.falls.by_falls ? "falls" : "impacts");
+    print_table(subset_table(), report.falls.subsets);
+}
+
+}  // namespace swirl::apps::fit

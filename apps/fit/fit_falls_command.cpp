@@ -1,0 +1,117 @@
+#include "apps/fit/fit_falls_command.hpp"
+
+#include "apps/command_line/errors.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/fit/fit_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swirl::apps::fit {
+
+namespace {
+
+using studies::FallsFitOutcome;
+using studies::KinkUse;
+
+void require_fitted(const studies::FallsFit& falls, double radius) {
+    const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
+    const auto refuse = [&](const std::string& why) {
+        throw BadInput(fmt::format("falls: {} frames on {} arcs: {}", falls.arcs.frames, falls.arcs.arcs.size(), why));
+    };
+    switch (falls.outcome) {
+        case FallsFitOutcome::fitted:
+            return;
+        case FallsFitOutcome::no_gravity:
+            throw BadInput(fmt::format(
+                "falls: no {} stretches of {} frames or more fall alike, so that gravity can't be told; give "
+                "--gravity G",
+                analysis::fewest_falling, analysis::fewest_falling_frames));
+        case FallsFitOutcome::falls_up:
+            throw BadInput(fmt::format("falls: bodies fall towards larger y, by {:.4g} per time squared; give --y-down",
+                                       radius * falls.fall.model.gravity[1]));
+        case FallsFitOutcome::few_kinks:
+            refuse(
+                fmt::format("too few of {} frames or more meet; {} or more impacts are needed, with {} frames between "
+                            "them",
+                            analysis::fewest_frames, studies::fewest_kinks, analysis::fewest_frames));
+            break;
+        case FallsFitOutcome::no_plate:
+            refuse(
+                fmt::format("{} of {} impacts are on no common straight plate; one of --side, --sides, --scale, "
+                            "--vertex, --gravity, --y-down is not the films'",
+                            count(KinkUse::off_the_wall), falls.impacts.size()));
+            break;
+        case FallsFitOutcome::few_impacts:
+            refuse(fmt::format(
+                "{} impacts can be used, {} or more are needed; of {} kinks {} do not meet, {} are off "
+                "the plate, {} have two vertices on it, {} an arc that stays on it",
+                count(KinkUse::used), analysis::fewest_impacts, falls.impacts.size(), count(KinkUse::no_meeting),
+                count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall)));
+            break;
+        case FallsFitOutcome::no_law:
+            refuse(fmt::format("no law could be fitted to {} impacts", count(KinkUse::used)));
+            break;
+    }
+}
+
+/// Momentum alone against the uniform body's I/m.
+void note_inertia(std::vector<std::string>& notes, const FallsReport& report) {
+    const double uniform = report.source.body.inertia;
+    const analysis::FittedNumber& found = report.falls.fit.inertia;
+    if (report.source.body.inertia_known || (uniform >= found.low && uniform <= found.high)) return;
+    notes.push_back(fmt::format(
+        "momentum alone tells I/m = {:.4g} [{:.4g}, {:.4g}], {:.3g} times that of a uniform body of this size, {:.4g}: "
+        "e and mu are those with the former; --inertia-factor gives another",
+        found.value, found.low, found.high, found.value / uniform, uniform));
+}
+
+void note_left_out(std::vector<std::string>& notes, const studies::FallsFit& falls) {
+    const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
+    const std::size_t twice = count(KinkUse::no_meeting) + count(KinkUse::two_vertices);
+    if (twice + count(KinkUse::stays_on_wall) > 0)
+        notes.push_back(
+            fmt::format("{} kinks are more than one impact within a few frames, or of two vertices, and {} have "
+                        "contact that lasts, "
+                        "sliding or rolling, before or after them: nothing is told of these",
+                        twice, count(KinkUse::stays_on_wall)));
+}
+
+}  // namespace
+
+FitReport fit_of_falls(FilmOptions& film, const FallsOptions& options, const analysis::ImpactFitSettings& settings) {
+    FallsReport falls;
+    falls.source = read_falls(film, options);
+    exit_when_interrupted();
+    const studies::FallenBody& body = falls.source.body;
+    falls.falls = studies::fit_falls(falls.source.falls, falls.source.period, body, falls.source.setting, settings);
+    require_fitted(falls.falls, body.radius);
+    FitReport report;
+    report.fit = falls.falls.fit;
+    report.inertia_given = body.inertia_known;
+    report.rows = falls.falls.impacts.size();
+    report.left_out = report.rows - report.fit.impacts.size();
+    ImpactTable table;
+    table.has_errors = true;
+    report.notes = falls.source.notes;
+    const std::vector<std::string> notes = notes_of(report.fit, table);
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+    note_inertia(report.notes, falls);
+    note_left_out(report.notes, falls.falls);
+    report.settings = {{"columns", film.series.flags()},
+                       {"resamples", static_cast<std::int64_t>(settings.resamples)},
+                       {"parts", static_cast<std::int64_t>(settings.parts)},
+                       {"seed", settings.seed},
+                       {"inertia_factor", body.inertia / (body.radius * body.radius)},
+                       {"gravity", falls.source.setting.gravity.value_or(std::nan(""))}};
+    report.falls = std::move(falls);
+    return report;
+}
+
+}  // namespace swirl::apps::fit

@@ -1,0 +1,169 @@
+"""swirl fit --falls, from outside: fit_falls_test.py SWIRL
+
+Films of bodies that fall on a plate: parabolas in closed form, impacts by Routh's diagram in plain Python (impact_tables.py),
+a tracker's noise and digits."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+from driving import InFolder, Refusing, document, run, sized
+from impact_tables import after
+
+E, MU, TILT, SIDE, SIDES = 0.6, 0.2, 0.05, 0.06, 4
+RADIUS = SIDE / (2 * math.sin(math.pi / SIDES))
+INERTIA = SIDE * SIDE / 6
+GRAVITY, FPS = 9.81, 250
+
+
+def at(body, time):
+    (x, y, angle), (vx, vy, spin) = body
+    return (x + vx * time, y + vy * time - GRAVITY * time * time / 2, angle + spin * time), (vx, vy - GRAVITY * time, spin)
+
+
+def lowest(place):
+    """Height of the lowest vertex above the plate through the origin, and where it is from the centre."""
+    arms = [(RADIUS * math.cos(a), RADIUS * math.sin(a)) for a in (place[2] + 2 * math.pi * i / SIDES for i in range(SIDES))]
+    return min((math.cos(TILT) * (place[1] + arm[1]) - math.sin(TILT) * (place[0] + arm[0]), arm) for arm in arms)
+
+
+def next_impact(body, step=5e-4):
+    if lowest(at(body, step)[0])[0] < 0:
+        return math.inf  # it stays on the plate
+    time = step
+    while lowest(at(body, time + step)[0])[0] >= 0:
+        time += step
+    low, high = time, time + step
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (low, middle) if lowest(at(body, middle)[0])[0] < 0 else (middle, high)
+    return low
+
+
+def struck(body):
+    place, (vx, vy, spin) = body
+    c, s = math.cos(TILT), math.sin(TILT)
+    arm = lowest(place)[1]
+    r = (c * arm[0] + s * arm[1], c * arm[1] - s * arm[0])
+    ahead, up, turn = after((c * vx + s * vy, c * vy - s * vx, spin), r, INERTIA, E, MU)
+    return place, (c * ahead - s * up, s * ahead + c * up, turn)
+
+
+def fall(seed, noise=5e-5, seconds=0.5):
+    """Rows x, y, theta; it lies still where it does not leave the plate any more."""
+    draw = numpy.random.Generator(numpy.random.Philox(seed))
+    even = draw.uniform
+    body = ((even(0, 0.1), RADIUS * even(2.5, 4), even(0, 6)), (even(-0.6, 0.6), even(-0.6, 0), even(-8, 8)))
+    begin, end, rows = 0.0, next_impact(body), []
+    for i in range(int(seconds * FPS)):
+        while begin + end < i / FPS:
+            body = struck(at(body, end))
+            begin, end = begin + end, next_impact(body)
+        place = body[0] if math.isinf(end) else at(body, i / FPS - begin)[0]
+        x, y, angle = (p + s * draw.normal() for p, s in zip(place, (noise, noise, 20 * noise)))
+        rows.append(f"{x:.6f},{y:.6f},{angle:.5f}")
+    return rows
+
+
+FLAGS = f"--position x y --angle theta --fps {FPS} --sides {SIDES} --side {SIDE}"
+FEW = sized("--resamples 40", "--resamples 20")
+
+
+class WithFalls:
+    def written(self, count, name="fall", **options):
+        paths = []
+        for seed in range(count):
+            path = self.folder_of_falls() / f"{name}{seed}.csv"
+            path.write_text("x,y,theta\n" + "\n".join(fall(seed, **options)) + "\n")
+            paths.append(str(path))
+        return " ".join(paths)
+
+
+class Truth(WithFalls, InFolder):
+    def folder_of_falls(self):
+        return self.folder
+
+    def test_gravity_plate_and_law(self):
+        files = self.written(8)
+        found = document(f"fit --falls {files} {FLAGS} {FEW}")
+        falls = found["falls"]
+        self.assertEqual(falls["falls"], 8)
+        self.assertAlmostEqual(-falls["gravity"][1], GRAVITY, delta=4 * falls["gravity_error"][1])
+        self.assertLess(falls["gravity_error"][1], 0.05)
+        self.assertAlmostEqual(falls["plate_tilt"], TILT, delta=0.003)
+        self.assertAlmostEqual(falls["polygon_radius"], RADIUS, delta=1e-9)
+        self.assertAlmostEqual(falls["place_noise"], 5e-5, delta=1e-5)
+        for name, truth in (("restitution", E), ("friction", MU), ("inertia", INERTIA)):
+            number = found[name]
+            room = number["high"] - number["low"]
+            self.assertLess(abs(number["value"] - truth), 1.5 * room, (name, number))
+            self.assertLess(room, 0.15 * number["value"], name)
+        self.assertGreater(found["predicted"], 0.7)
+        self.assertEqual([part["part"] for part in found["subsets"]],
+                         ["odd falls", "even falls", "first half", "second half", "first impacts", "later impacts"])
+        given = document(f"fit --falls {files} {FLAGS} {FEW} --gravity 9.81 --inertia-factor {INERTIA / RADIUS ** 2}")
+        self.assertEqual(given["falls"]["gravity_error"], [0, 0])
+        self.assertAlmostEqual(given["inertia"]["low"], INERTIA, delta=1e-12)
+        shown = run(f"fit --falls {files} {FLAGS} {FEW}").stdout
+        for words in ("8 falls", "gravity", "plate", "of a uniform body", "parts of the impacts"):
+            self.assertIn(words, shown)
+
+    def test_an_image_has_its_axis_down(self):
+        for path in map(Path, self.written(6, name="down").split()):
+            rows = [line.split(",") for line in path.read_text().splitlines()[1:]]
+            path.write_text("x,y,theta\n" + "".join(f"{x},{0.2 - float(y)},{-float(angle)}\n" for x, y, angle in rows))
+        files = " ".join(str(self.folder / f"down{i}.csv") for i in range(6))
+        wrong = run(f"fit --falls {files} {FLAGS} {FEW}")
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn("--y-down", wrong.stderr)
+        found = document(f"fit --falls {files} {FLAGS} {FEW} --y-down")
+        self.assertAlmostEqual(found["restitution"]["value"], E, delta=0.03)
+        self.assertAlmostEqual(found["friction"]["value"], MU, delta=0.03)
+
+    def test_a_record_has_frames_kinks_and_parts(self):
+        run(f"fit --falls {self.written(6)} {FLAGS} {FEW} -o fit.h5", check=True, cwd=self.folder)
+        shown = run("show fit.h5", cwd=self.folder).stdout
+        for group in ("falls", "frames", "kinks", "subsets", "impacts", "laws"):
+            self.assertIn(group, shown)
+
+
+class WrongInput(WithFalls, Refusing):
+    def folder_of_falls(self):
+        return self.other
+
+    def setUp(self):
+        super().setUp()
+        other = tempfile.TemporaryDirectory()
+        self.addCleanup(other.cleanup)
+        self.other = Path(other.name)
+
+    def test_wrong_input(self):
+        one = self.written(1)
+        columns = f"--position x y --angle theta --fps {FPS}"
+        for flags, mention in (
+                (f"{columns} --side 0.06", "--sides is missing"), (f"{columns} --sides 4", "--side L"),
+                (f"{columns} --sides 4 --side 0", "side = 0"), (f"{columns} --sides 4 --side x", "side"),
+                (f"{columns} --sides disk --side 1", "disk"), (f"{FLAGS} --polygon-radius 1", "give one"),
+                (f"{FLAGS} --gravity -9.81", "gravity = -9.81"), (f"{FLAGS} --alpha 0.3", "--alpha is a dish's"),
+                (f"{FLAGS} --floor table", "--floor is a dish's"), (f"{FLAGS} --inertia 1", "--inertia-factor"),
+                (f"{FLAGS} --vertex inf", "vertex = inf"), (f"{FLAGS} --impacts {one}", "give one"),
+                ("--sides 4 --side 0.06 --position x y", "the angle is missing")):
+            self.refused(f"fit --falls {one} {flags}", mention)
+        self.refused(f"fit --falls {self.other}/none.csv {FLAGS}", "none.csv")
+        self.refused("fit --side 0.06", "--")
+        self.refused(f"fit --series {one} {FLAGS}", "--side is of falls")
+
+    def test_falls_that_no_law_fits(self):
+        still = self.other / "still.csv"
+        still.write_text("x,y,theta\n" + "0,0.03,0.785\n" * 100)
+        self.refused(f"fit --falls {still} {FLAGS}", "--gravity G")
+        short = self.other / "short.csv"
+        short.write_text("x,y,theta\n0,1,0\n0.1,1,0\n")
+        self.refused(f"fit --falls {short} {FLAGS}", "short.csv")
+        self.refused(f"fit --falls {self.written(1, seconds=0.2)} {FLAGS}", "falls: ")
+
+
+if __name__ == "__main__":
+    unittest.main()

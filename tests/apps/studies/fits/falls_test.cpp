@@ -1,0 +1,265 @@
+// Falls of known bodies on a known plate: parabolas in closed form, impacts by the project's laws, a tracker's noise
+// and rounding.
+#include "analysis/fits/robust.hpp"
+#include "apps/studies/fits/falls_fit.hpp"
+#include "apps/studies/fits/impact_laws.hpp"
+#include "map/model/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swirl::studies {
+namespace {
+
+using analysis::FilmFrame;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+struct Truth {
+    int sides = 4;
+    double radius = 0.04, restitution = 0.6, friction = 0.2;
+    std::size_t law = 0;  ///< of impact_laws()
+    double gravity = 9.81, drag = 0, spin_drag = 0, tilt = 0, height = 0.01, mark = 0.3;
+    double frames_a_second = 250, place_noise = 5e-5, angle_noise = 1e-3, digit = 1e-6;
+    double speed = 0.6, spin = 8;  ///< of the start, at most
+
+    FallenBody body() const {
+        const double shape = sides == disk_sides ? 0.5 : (2 + std::cos(2 * pi / sides)) / 6;
+        return {sides, radius, shape * radius * radius, false, {}};
+    }
+    Vector2d normal() const { return {-std::sin(tilt), std::cos(tilt)}; }
+};
+
+/// (x, y, theta) and its rates. X" = g - gamma X', theta" = -gamma_r theta'.
+struct Flight {
+    double start = 0;
+    Vector3d place = Vector3d::Zero(), velocity = Vector3d::Zero();
+
+    Flight at(const Truth& truth, double time) const {
+        const double t = time - start;
+        const auto eased = [t](double drag) { return drag == 0 ? t : -std::expm1(-drag * t) / drag; };
+        const double fallen = truth.drag == 0 ? t * t / 2 : (t - eased(truth.drag)) / truth.drag;
+        Flight then;
+        then.start = time;
+        then.place =
+            place + Vector3d(eased(truth.drag), eased(truth.drag), eased(truth.spin_drag)).cwiseProduct(velocity);
+        then.place[1] -= truth.gravity * fallen;
+        then.velocity = velocity.cwiseProduct(
+            Vector3d(std::exp(-truth.drag * t), std::exp(-truth.drag * t), std::exp(-truth.spin_drag * t)));
+        then.velocity[1] -= truth.gravity * eased(truth.drag);
+        return then;
+    }
+};
+
+/// Height of the lowest point above the plate, and where it is from the centre.
+std::pair<double, Vector2d> lowest(const Truth& truth, const Vector3d& place) {
+    std::pair<double, Vector2d> found{1e9, Vector2d::Zero()};
+    const auto look = [&](const Vector2d& offset) {
+        const double height = truth.normal().dot(place.head<2>() + offset) - truth.height;
+        if (height < found.first) found = {height, offset};
+    };
+    if (truth.sides == disk_sides) look(-truth.radius * truth.normal());
+    for (int i = 0; i < truth.sides; ++i) {
+        const double angle = place[2] + truth.mark + 2 * pi * i / truth.sides;
+        look(truth.radius * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return found;
+}
+
+Flight after_impact(const Truth& truth, const Flight& body) {
+    const Vector2d normal = truth.normal(), along(normal[1], -normal[0]), arm = lowest(truth, body.place).second;
+    const Vector2d offset(along.dot(arm), normal.dot(arm)), moving = body.velocity.head<2>();
+    const Vector3d before(along.dot(moving), normal.dot(moving), body.velocity[2]);
+    const double inertia = truth.body().inertia;
+    const analysis::PredictedImpulse found = impact_laws()[truth.law].law(
+        offset, inertia, analysis::contact_velocity(offset, before), {truth.restitution, truth.friction});
+    const Vector3d after = before + analysis::effect_of_impulse(offset, inertia) * found.impulse;
+    Flight next = body;
+    next.velocity.head<2>() = after[0] * along + after[1] * normal;
+    next.velocity[2] = after[2];
+    return next;
+}
+
+/// The next impact's time, by steps of 0.2 ms; NaN where the body does not leave the plate.
+double next_impact(const Truth& truth, const Flight& from) {
+    constexpr double step = 2e-4, longest = 3;
+    double time = from.start + step;
+    if (lowest(truth, from.at(truth, time).place).first < 0) return analysis::nan;
+    while (lowest(truth, from.at(truth, time + step).place).first >= 0)
+        if ((time += step) > from.start + longest) return analysis::nan;
+    double later = time + step;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (time + later) / 2;
+        (lowest(truth, from.at(truth, middle).place).first < 0 ? later : time) = middle;
+    }
+    return time;
+}
+
+/// Uniform in [0, 1), of a draw.
+double even_draw(std::uint64_t seed, std::uint64_t draw, std::size_t i) {
+    return std::erfc(-analysis::normal_draws(seed, draw, i)[0] / std::numbers::sqrt2) / 2;
+}
+
+/// 0.8 s from a start at random; where the body does not leave the plate any more it lies still.
+std::vector<FilmFrame> filmed(const Truth& truth, std::uint64_t seed, std::uint64_t fall) {
+    const auto even = [&](std::size_t i) { return even_draw(seed, 2 * fall, i); };
+    Flight body;
+    body.place << 0.1 * even(0), truth.height + truth.radius * (2 + 3 * even(1)), 2 * pi * even(2);
+    body.velocity << truth.speed * (2 * even(3) - 1), -truth.speed * even(4), truth.spin * (2 * even(5) - 1);
+    std::vector<FilmFrame> frames;
+    double end = next_impact(truth, body);
+    constexpr double lasts = 0.8;
+    for (std::size_t i = 0; static_cast<double>(i) < lasts * truth.frames_a_second; ++i) {
+        const double time = static_cast<double>(i) / truth.frames_a_second;
+        while (end < time) {
+            body = after_impact(truth, body.at(truth, end));
+            end = next_impact(truth, body);
+        }
+        const Vector3d noise = analysis::normal_draws(seed, 2 * fall + 1, i);
+        const Vector3d place = std::isnan(end) ? body.place : body.at(truth, time).place;
+        FilmFrame frame;
+        frame.time = time;
+        frame.place = place + Vector3d(truth.place_noise, truth.place_noise, truth.angle_noise).cwiseProduct(noise);
+        for (double& number : frame.place) number = truth.digit * std::round(number / truth.digit);
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+std::vector<std::vector<FilmFrame>> falls_of(const Truth& truth, std::size_t count, std::uint64_t seed) {
+    std::vector<std::vector<FilmFrame>> falls;
+    for (std::size_t i = 0; i < count; ++i) falls.push_back(filmed(truth, seed, i));
+    return falls;
+}
+
+FallsFit fit_of(const Truth& truth, std::size_t count, std::uint64_t seed, std::size_t resamples,
+                const FallsSetting& setting = {}) {
+    analysis::ImpactFitSettings settings;
+    settings.resamples = resamples;
+    settings.threads = 1;
+    return fit_falls(falls_of(truth, count, seed), 2 * pi, truth.body(), setting, settings);
+}
+
+bool holds(const analysis::FittedNumber& number, double truth) {
+    return number.low <= truth && !(number.high < truth);
+}
+
+TEST(Falls, GiveGravityPlateAndLaw) {
+    Truth truth;
+    truth.tilt = 0.05;
+    const FallsFit falls = fit_of(truth, 8, 1, 20);
+    ASSERT_EQ(falls.outcome, FallsFitOutcome::fitted);
+    const Vector2d gravity = truth.radius * falls.fall.model.gravity, error = truth.radius * falls.fall.error;
+    EXPECT_NEAR(gravity[0], 0, 4 * error[0]);
+    EXPECT_NEAR(gravity[1], -truth.gravity, 4 * error[1]);
+    EXPECT_LT(error[1], 0.05);
+    EXPECT_EQ(falls.fall.model.drags.places, 0);
+    EXPECT_NEAR(falls.plate.tilt, truth.tilt, 2e-3);
+    EXPECT_NEAR(truth.radius * falls.plate.height, truth.height, 1e-4);
+    EXPECT_NEAR(std::remainder(falls.plate.mark - truth.mark, pi / 2), 0, 5e-3);
+    EXPECT_NEAR(truth.radius * falls.arcs.place_noise, truth.place_noise, 0.1 * truth.place_noise);
+    EXPECT_TRUE(holds(falls.fit.restitution, truth.restitution));
+    EXPECT_TRUE(holds(falls.fit.friction, truth.friction));
+    EXPECT_LT(falls.fit.restitution.high - falls.fit.restitution.low, 0.1);
+    EXPECT_TRUE(holds(falls.fit.balance, truth.body().inertia));
+    EXPECT_GT(falls.fit.predicted, 0.7);
+    ASSERT_EQ(falls.subsets.size(), 6U);
+    EXPECT_EQ(falls.subsets[0].impacts + falls.subsets[1].impacts,
+              falls.counts[static_cast<std::size_t>(KinkUse::used)]);
+    EXPECT_EQ(falls.fall_at(falls.starts[3]), 3U);
+}
+
+TEST(Falls, ADragOnTopOfGravityBendsArcsOtherwise) {
+    Truth truth;
+    truth.drag = 0.5, truth.spin_drag = 0.6;
+    const FallsFit falls = fit_of(truth, 8, 2, 20);
+    ASSERT_EQ(falls.outcome, FallsFitOutcome::fitted);
+    EXPECT_NEAR(falls.fall.drag.value, truth.drag, 4 * falls.fall.drag.error);
+    EXPECT_NEAR(falls.fall.spin.value, truth.spin_drag, 4 * falls.fall.spin.error);
+    EXPECT_GT(falls.fall.model.drags.places, 0);
+    EXPECT_NEAR(truth.radius * falls.fall.model.gravity[1], -truth.gravity, 4 * truth.radius * falls.fall.error[1]);
+    EXPECT_TRUE(holds(falls.fit.restitution, truth.restitution));
+    EXPECT_TRUE(holds(falls.fit.friction, truth.friction));
+}
+
+TEST(Falls, YPointsDown) {
+    const Truth truth;
+    auto falls = falls_of(truth, 6, 3);
+    for (auto& fall : falls)
+        for (FilmFrame& frame : fall) frame.place[1] *= -1, frame.place[2] *= -1;
+    analysis::ImpactFitSettings settings;
+    settings.resamples = 0;
+    EXPECT_EQ(fit_falls(falls, 2 * pi, truth.body(), {}, settings).outcome, FallsFitOutcome::falls_up);
+}
+
+TEST(Falls, ContactsThatStickTellNoUpperEndOfFriction) {
+    Truth truth;
+    truth.friction = 3;
+    const FallsFit falls = fit_of(truth, 8, 4, 20);
+    ASSERT_EQ(falls.outcome, FallsFitOutcome::fitted);
+    EXPECT_TRUE(falls.fit.friction_open);
+    EXPECT_LT(falls.fit.friction.low, truth.friction);
+    EXPECT_TRUE(holds(falls.fit.restitution, truth.restitution));
+}
+
+struct Count {
+    std::size_t fits = 0, refused = 0, restitution = 0, friction = 0, inertia = 0, gravity = 0, predicted = 0;
+};
+
+/// Bodies that slip, stick and do either; three laws, with and without a drag, on a level plate and a tilted one, two
+/// rates of frames.
+Count count_of(std::size_t draws, std::size_t falls, std::uint64_t seed) {
+    Count count;
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+        Truth truth;
+        const double frictions[] = {0.05, 0.15, 0.3, 0.6}, restitutions[] = {0.3, 0.5, 0.7, 0.9};
+        const int sides[] = {4, 3, 6, 4};
+        truth.friction = frictions[draw % 4], truth.restitution = restitutions[(draw / 4) % 4];
+        truth.sides = sides[(draw / 2) % 4], truth.law = draw % 3;
+        truth.drag = draw % 2 == 0 ? 0 : 0.4, truth.spin_drag = truth.drag;
+        truth.tilt = draw % 5 == 0 ? 0.1 : 0;
+        truth.frames_a_second = draw % 3 == 0 ? 500 : 250;
+        truth.place_noise = draw % 7 == 0 ? 2e-4 : 5e-5, truth.angle_noise = 20 * truth.place_noise;
+        const FallsFit found = fit_of(truth, falls, seed + draw, 100);
+        if (found.outcome != FallsFitOutcome::fitted) {
+            ++count.refused;
+            continue;
+        }
+        ++count.fits;
+        count.restitution += holds(found.fit.restitution, truth.restitution) ? 1 : 0;
+        count.friction += holds(found.fit.friction, truth.friction) ? 1 : 0;
+        count.inertia += holds(found.fit.balance, truth.body().inertia) ? 1 : 0;
+        const double off = std::abs(truth.radius * found.fall.model.gravity[1] + truth.gravity);
+        count.gravity += off <= 1.96 * truth.radius * found.fall.error[1] ? 1 : 0;
+    }
+    return count;
+}
+
+void expect_covered(const Count& count) {
+    std::cout << count.fits << " fits (" << count.refused << " refused); inside: e " << count.restitution << ", mu "
+              << count.friction << ", I/m " << count.inertia << ", gravity " << count.gravity << std::endl;
+    const auto most = static_cast<double>(count.fits);
+    EXPECT_GE(static_cast<double>(count.restitution), 0.9 * most);
+    EXPECT_GE(static_cast<double>(count.friction), 0.9 * most);
+    EXPECT_GE(static_cast<double>(count.inertia), 0.88 * most);
+    EXPECT_GE(static_cast<double>(count.gravity), 0.88 * most);
+}
+
+TEST(FallsNightly, IntervalsHoldTheTruth) {
+    const Count count = count_of(120, 20, 1000);
+    EXPECT_LE(count.refused, 6U);
+    expect_covered(count);
+}
+
+}  // namespace
+}  // namespace swirl::studies

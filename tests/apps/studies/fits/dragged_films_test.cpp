@@ -350,5 +350,39 @@ TEST(DraggedFilmNightly, IntervalsHoldTheTruth) {
     EXPECT_GE(all.friction, 0.9 * all.films);
 }
 
+/// Films of which the digits that are written are all the noise there is: each of an orbit of its own. (Noise below the
+/// digits writes one orbit as one film, whatever its seed, and one chance as many.) Fewer than 0.88 of 60 inside are a
+/// chance of 1 in 100.
+TEST(DraggedFilmNightly, IntervalsHoldTheTruthOfRoundedFrames) {
+    constexpr double digit = 1e-4;
+    constexpr Truth scenes[] = {{6, 0.4, 0.5, 0.2, 0.7},
+                                {4, 0.3, 0.6, 0.1, 0.9},
+                                {3, 0.5, 0.5, 0.3, 0.8},
+                                {8, 0.35, 0.5, 0.25, 0.9},
+                                {6, 0.4, 0.5, 0.3, 0.95}};
+    int films = 0, drag = 0, spin = 0;
+    unsigned seed = 7000;
+    for (const double noise : {1e-7, 1e-6, 1e-5})
+        for (int i = 0; i < 30; ++i) {
+            Truth truth = scenes[i % 5];
+            truth.drag = 0.03 + 0.003 * i, truth.spin_drag = 0.12 - 0.003 * i;
+            truth.floor = i % 3 == 0 ? Floor::table : Floor::dish;
+            constexpr int rates[] = {31, 60, 94};
+            auto frames = filmed(truth, noise, 30, rates[(i / 5) % 3], ++seed);
+            for (analysis::FilmFrame& frame : frames)
+                for (double& number : frame.place) number = digit * std::round(number / digit);
+            const FilmFit film = fit_of(
+                truth, frames, 0, {Eigen::Vector2d::Zero(), {}, Eigen::Vector3d::Constant(digit / std::sqrt(12.0))});
+            if (film.outcome != FilmFitOutcome::fitted || std::isnan(film.drag.with.spin.value)) continue;
+            ++films;
+            drag += holds(film.drag.with.drag, truth.drag) ? 1 : 0;
+            spin += holds(film.drag.with.spin, truth.spin_drag) ? 1 : 0;
+        }
+    std::cout << films << " films; inside: drag " << drag << ", spin's " << spin << std::endl;
+    EXPECT_GE(films, 60);
+    EXPECT_GE(drag, 0.88 * films);
+    EXPECT_GE(spin, 0.88 * films);
+}
+
 }  // namespace
 }  // namespace swirl::studies

@@ -98,7 +98,7 @@ std::vector<analysis::FilmFrame> frames_of(const BodyTrack& track, double scale)
 
 void FallsOptions::add_to(Flags& command) {
     Flags falls = command.under("Falls on a plate");
-    falls.add_option("--falls", files, "FILE...",
+    falls.add_option("--falls", files, "FILE",
                      "films of a body that falls on a straight plate, a file each; read as --series is");
     falls.add_option("--side", side, "L", "of the body, in the table's lengths times --scale; or --polygon-radius");
     falls.add_option("--gravity", gravity, "G",

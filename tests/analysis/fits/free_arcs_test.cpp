@@ -138,6 +138,35 @@ TEST(FreeArcs, TheNoiseOfAngleAndPlaceIsKnownWithItsCorrelation) {
     EXPECT_LT((shares - truth).cwiseAbs().maxCoeff(), 0.08);  // some 5000 frames; frames at kinks on the wrong line
 }
 
+/// X" = g - gamma X', from rest; of a small drag as of none.
+TEST(FreeArcs, AFallObeysItsEquation) {
+    const UniformFall fall{{0.3, -9.81}, 0.2};
+    for (const double drag : {0.0, 1e-7, 0.5}) {
+        constexpr double h = 1e-3, time = 1.7;
+        const auto velocity = [&](double t) { return fall.velocity(t, drag); };
+        const Eigen::Vector3d acceleration = (velocity(time + h) - velocity(time - h)) / (2 * h);
+        const Eigen::Vector3d moved = (fall.place(time + h, drag) - fall.place(time - h, drag)) / (2 * h);
+        EXPECT_LT((moved - velocity(time)).norm(), 1e-5) << drag;
+        EXPECT_LT((acceleration + drag * velocity(time) - Eigen::Vector3d(0.3, -9.81, 0)).norm(), 1e-5) << drag;
+        EXPECT_EQ(fall.place(fall.from, drag).norm(), 0) << drag;
+    }
+    EXPECT_NEAR(fall.place(1.7, 1e-7)[1], fall.place(1.7, 0)[1], 1e-6);
+}
+
+TEST(FreeArcs, TheirEndsAreTheirFramesNextToKinks) {
+    const FilmArcs film = fit_arcs(filmed(random_motion(10, 1), 0.05, 0, 1), period);
+    const FilmArcs ends = end_pieces(film, 8);
+    const std::vector<Kink> whole = kinks_of(film), parts = kinks_of(ends);
+    ASSERT_EQ(film.arcs.size(), 10U);
+    EXPECT_EQ(ends.arcs.size(), 20U);  // each arc has more than 10 frames
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_NEAR(parts[i].time, whole[i].time, 1e-5);
+        EXPECT_EQ(ends.arcs[parts[i].before].count, 8U);
+        EXPECT_LT(ends.arcs[parts[i].before].end, film.arcs[whole[i].before].end);
+    }
+}
+
 TEST(FreeArcs, OfAFewFramesThereIsNothing) {
     std::vector<FilmFrame> frames(2);
     frames[0] = {0, Eigen::Vector3d::Zero()};

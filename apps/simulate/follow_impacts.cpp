@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -115,10 +116,18 @@ Ending follow(const SimulateOptions& options, SceneOrbit<T>& orbit, double spin,
 }
 
 template <class T>
+SceneOrbit<T> orbit_of(const SimulateOptions& options, const Scene<T>& scene, const Start<T>& start) {
+    if constexpr (std::is_same_v<T, double>)
+        if (const ImpactNoise noise = options.noise.noise(options.start, options.output); noise.is_any())
+            return {scene, noisy_orbit(scene, start, noise)};
+    return {scene, start, baseline_of(options.output.accuracy())};
+}
+
+template <class T>
 Ending run_in(const SimulateOptions& options, Sinks& sinks) {
     const Scene<T> scene = options.scene.template scene<T>(Extensions::followed);
     const Start<T> start = options.start.template start<T>(scene);
-    SceneOrbit<T> orbit(scene, start, baseline_of(options.output.accuracy()));
+    SceneOrbit<T> orbit = orbit_of(options, scene, start);
     return std::visit(
         [&](const auto& s) {
             Samples samples(options, scene, s);

@@ -89,6 +89,7 @@ Settings settings_of(const SimulateOptions& options) {
                          {"skip", options.skip},
                          {"every", options.every},
                          {"accuracy", options.output.accuracy_name}};
+    add_noise_settings(settings, options.noise.noise(options.start, options.output));
     if (!options.film.fps) return settings;
     settings.emplace_back("camera", *options.film.fps);
     settings.emplace_back("noise", options.film.noise);
@@ -122,17 +123,20 @@ void SimulateOptions::add_to(Flags& command) {
     command.add_option("--sample", sample, "DT",
                        "list the body at all multiples of DT (as T), in flight and in contact: `samples`");
     film.add_to(command);
+    noise.add_to(command);
 }
 
 int simulate(SimulateOptions& options) {
     options.scene.read_file(options.output.quiet);
     if (options.film.fps) options.start.keep_seed_apart();
+    options.noise.keep_seed_apart(options.start);
     options.start.take_from(options.scene);
     for (auto* time : {&options.time, &options.sample})
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.output.accuracy();  // a wrong name is reported before any work
+    options.noise.noise(options.start, options.output);
     check_start(options, scene);
     note_interruptions();
 

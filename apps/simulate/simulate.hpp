@@ -1,6 +1,7 @@
 // `swirl simulate`: follows one orbit and lists its impacts.
 #pragma once
 
+#include "apps/command_line/noise_options.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
@@ -21,6 +22,7 @@ struct SimulateOptions {
     std::int64_t every = 1;
     std::optional<double> sample;  ///< time step of `samples`, or of the film's frames
     FilmOptions film;
+    NoiseOptions noise;
 
     void add_to(Flags& command);
     std::int64_t limit() const { return collisions.value_or(100); }

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace swirl::studies {
@@ -35,6 +36,10 @@ public:
     ///   search  in place of the exact one (map/baselines), in double only
     /// @throws std::invalid_argument for a scene or start out of range
     SceneOrbit(const Scene<T>& scene, const Start<T>& start, const std::optional<BaselineSearch>& search = {});
+
+    /// One that is followed otherwise (noise/impact_noise.hpp).
+    SceneOrbit(const Scene<T>& scene, std::unique_ptr<OrbitOfScene<T>> orbit)
+        : orbit_(std::move(orbit)), body_(make_body(scene)) {}
 
     /// As Orbit::advance, and so are those below.
     bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {

@@ -14,11 +14,11 @@
 namespace swirl::studies::certify {
 
 struct ChaosOptions {
-    int longest_link = 10;   ///< impacts of an orbit between two cycles, at most
-    int most_links = 64;     ///< orbits between cycles that are taken, the shortest first
-    int scan = 4000;         ///< points of an unstable manifold that are tried, per set and side
+    int longest_link = 10;                        ///< impacts of an orbit between two cycles, at most
+    int most_links = 64;                          ///< orbits between cycles that are taken, the shortest first
+    int scan = 4000;                              ///< points of an unstable manifold that are tried, per set and side
     std::vector<double> aspects{1, 4, 0.25, 16};  ///< heights of sets about cycles in their widths; the best is taken
-    int most_pieces = 3000;  ///< of a set, after which nothing is said
+    int most_pieces = 3000;                       ///< of a set, after which nothing is said
     int exponent_impacts = 20'000;
     RunControl control = {};
 };

@@ -51,24 +51,35 @@ BallMatrix times(const BallMatrix& a, const BallMatrix& b) {
     return c;
 }
 
-/// Where a piece's image lies in a set's own coordinates, and how that depends on q.
+/// Where a piece's image lies in a set's own coordinates, and how much of that is due to each direction of q.
 struct Landing {
     std::string open;
     BallVector at;
-    BallMatrix slopes;
+    std::vector<std::vector<double>> effects;  ///< coordinate, direction
 };
 
 Landing landing_of(const SectionFlights& flights, const BallSet& from, const BallSet& to, const UnitPiece& piece,
                    const CoveringClaim& link) {
-    SectionImage image = image_of(flights, from, piece, link.branch, link.time);
+    const SectionImage image = image_of(flights, from, piece, link.branch, link.time);
     Landing landing;
     landing.open = image.open;
     if (!landing.open.empty()) return landing;
-    landing.at = times(to.inverse, difference(flights.chart, image.of_middle, to.centre));
-    landing.slopes = times(to.inverse, image.derivative);
-    const BallVector change = times(landing.slopes, image.offset);
-    for (std::size_t i = 0; i < change.size(); ++i) {
-        landing.at[i] += change[i];
+    landing.at = times(to.inverse, difference(flights.chart, image.middle, to.centre));
+    const BallMatrix slopes = times(to.inverse, image.slopes), curves = times(to.inverse, image.curves);
+    const std::size_t n = landing.at.size();
+    const Ball either = around(0, 1), square = intervals::between(0, 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        landing.effects.emplace_back(n);
+        std::size_t pair = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            landing.at[i].add_product(slopes[i][j], either);
+            landing.effects[i][j] += upper(abs(slopes[i][j]));
+            for (std::size_t k = j; k < n; ++k, ++pair) {
+                landing.at[i].add_product(curves[i][pair], j == k ? square : either);
+                landing.effects[i][j] += upper(abs(curves[i][pair]));
+                landing.effects[i][k] += upper(abs(curves[i][pair]));
+            }
+        }
         if (!is_finite(landing.at[i])) landing.open = "the image of a piece is not bounded";
     }
     return landing;
@@ -95,10 +106,10 @@ std::pair<UnitPiece, UnitPiece> halves(const UnitPiece& piece, const BallSet& fr
     for (std::size_t j = 0; j < piece.low.size(); ++j) {
         double effect = 0;
         if (landing.open.empty())
-            effect = upper(abs(landing.slopes[row][j]));
+            effect = piece.high[j] > piece.low[j] ? landing.effects[row][j] : -1;
         else
-            for (const BallVector& line : from.matrix) effect += std::abs(middle(line[j]));
-        effect *= piece.high[j] - piece.low[j];
+            for (const BallVector& line : from.matrix)
+                effect += std::abs(middle(line[j])) * (piece.high[j] - piece.low[j]);
         if (effect > most) {
             most = effect;
             widest = j;

@@ -1,13 +1,16 @@
 #include "map/proof/section_image.hpp"
 
 #include "map/intervals/arb.hpp"
+#include "map/intervals/curved.hpp"
 #include "map/proof/clear_flight.hpp"
+#include "map/proof/scene_numbers.hpp"
 #include "map/proof/shooting_in_balls.hpp"
 #include "map/proof/words.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace swirl::proof {
@@ -15,6 +18,7 @@ namespace swirl::proof {
 namespace {
 
 using intervals::between;
+using intervals::Curved;
 using intervals::exact_middle;
 using intervals::is_positive;
 using intervals::lower;
@@ -28,12 +32,12 @@ T& entry_at(BallPoint<T>& z, std::size_t index) {
 }
 
 /// v_n of a frictionless disk that leaves the wall on a level of J.
-template <class T>
-T normal_velocity(const BallScene& scene, double jacobi, const T& psi, const T& vt) {
+template <class S, class T>
+T normal_velocity(const SceneIn<S>& scene, double jacobi, const T& psi, const T& vt) {
     const auto at = sine_cosine(psi);
-    const T x = scene.beta * at.cosine + (Ball(1) - scene.alpha), y = scene.beta * at.sine;
+    const T x = scene.beta * at.cosine + (S(1) - scene.alpha), y = scene.beta * at.sine;
     const T along = vt - x;
-    return y - sqrt(x * x + y * y - along * along + Ball(2) * Ball(jacobi));
+    return y - sqrt(x * x + y * y - along * along + S(2) * S(jacobi));
 }
 
 BallPoint<StepDual> differentiated_point(const SectionFlights& flights, const BallVector& x) {
@@ -42,21 +46,6 @@ BallPoint<StepDual> differentiated_point(const SectionFlights& flights, const Ba
         entry_at(z, flights.chart[a]) = StepDual::variable(x[a], flights.chart[a]);
     if (flights.jacobi) z.vn = normal_velocity(flights.scene, *flights.jacobi, z.psi, z.vt);
     return z;
-}
-
-BallPoint<Ball> values_of_point(const BallPoint<StepDual>& z) {
-    return {z.psi.value, z.chi.value, z.vn.value, z.vt.value, z.spin.value};
-}
-
-/// Σ_a by_a (A q)_a for the chart's coordinates.
-Ball along_set(const SectionFlights& flights, const StepDual& f, const BallSet& set, const BallVector& q) {
-    Ball sum;
-    for (std::size_t j = 0; j < q.size(); ++j) {
-        Ball slope;
-        for (std::size_t a = 0; a < q.size(); ++a) slope.add_product(f.by[flights.chart[a]], set.matrix[a][j]);
-        sum.add_product(slope, q[j]);
-    }
-    return sum;
 }
 
 /// The flight of the middle point: Newton's method on its gap, and where the wall is met.
@@ -85,68 +74,117 @@ MiddleFlight middle_flight(const SectionFlights& flights, const BallPoint<StepDu
     return flight;
 }
 
-/// Does slip of one sign go before the impact for certain? Else, where sticking in compression allows it, 0.
-int slip_of(const SectionFlights& flights, const BallStep<StepDual>& step, const Branch& branch) {
-    if (branch.mode == ContactMode::frictionless) return 0;
-    const Ball ut = kinematics(flights.scene, BallPoint<Ball>(values_of_point(step.before))).ut;
-    if (is_positive(ut)) return 1;
-    if (is_negative(ut)) return -1;
-    return branch.mode == ContactMode::c_sticking ? 0 : middle(ut) > 0 ? 1 : -1;
-}
-
-/// The time of every point of a piece, by Newton's method over intervals; `open`: it is not enclosed.
-struct PieceTime {
-    Ball all, middle;
-    bool open = true;
-};
-
-PieceTime piece_time(const SectionFlights& flights, const BallSet& set, const BallPoint<StepDual>& z,
-                     const BallPoint<StepDual>& over, const BallVector& offset, const Branch& branch,
-                     const MiddleFlight& flight) {
-    const StepDual& gap = flight.step.gap;
-    double reach = 1e-13 * (1 + flight.time) + 1e-20;
-    for (std::size_t j = 0; j < offset.size(); ++j) {
-        Ball slope;
-        for (std::size_t a = 0; a < offset.size(); ++a) slope.add_product(gap.by[flights.chart[a]], set.matrix[a][j]);
-        reach += std::abs(middle(slope) / middle(gap.by[time_index])) * upper(offset[j]);
-    }
-    const Ball start(flight.time);
-    const Ball gap_there = step_in_balls<Ball>(flights.scene, branch, flight.advance, values_of_point(z), start).gap;
-    PieceTime time;
-    for (double factor = 1.25; time.open && factor < 4; factor *= 1.6) {
-        const Ball wide = start + intervals::around(0, factor * reach);
-        const StepDual over_all =
-            step_in_balls<StepDual>(flights.scene, branch, flight.advance, over, StepDual::variable(wide, time_index))
-                .gap;
-        const Ball& rate = over_all.by[time_index];
-        if (!is_positive(rate)) break;
-        time.all = start - (gap_there + along_set(flights, over_all, set, offset)) / rate;
-        time.middle = start - gap_there / rate;
-        time.open = !intervals::contains_interior(wide, time.all);
-    }
-    return time;
-}
-
-/// dF/dq from the step's derivatives, the time by the implicit function theorem.
-BallMatrix slopes_of(const SectionFlights& flights, const BallSet& set, BallStep<StepDual>& step) {
-    const std::size_t n = set.dimension();
-    BallMatrix slopes(n, BallVector(n));
-    for (std::size_t i = 0; i < n; ++i) {
-        const StepDual& f = entry_at(step.after, flights.chart[i]);
-        for (std::size_t a = 0; a < n; ++a) {
-            const std::size_t c = flights.chart[a];
-            const Ball by_state = f.by[c] - f.by[time_index] * step.gap.by[c] / step.gap.by[time_index];
-            for (std::size_t j = 0; j < n; ++j) slopes[i][j].add_product(by_state, set.matrix[a][j]);
-        }
-    }
-    return slopes;
-}
-
 SectionImage open_image(std::string why) {
     SectionImage image;
     image.open = std::move(why);
     return image;
 }
+
+/// F of a piece, by numbers that keep their dependence on the K variables e.
+template <std::size_t K>
+class PieceFlight {
+public:
+    using Number = Curved<K>;
+
+    PieceFlight(const SectionFlights& flights, const BallSet& set, const UnitPiece& piece, const Branch& branch)
+        : flights_(flights),
+          scene_(scene_as<Number>(flights.scene, [](const Ball& x) { return Number(x); })),
+          branch_(branch) {
+        branch_.slip = branch.mode == ContactMode::frictionless ? 0 : 1;
+        BallVector x = set.centre;
+        std::array<double, K> half{};
+        for (std::size_t j = 0; j < K; ++j) {
+            const Ball at = exact_middle(between(piece.low[j], piece.high[j]));
+            half[j] = upper(abs(between(piece.low[j], piece.high[j]) - at));
+            for (std::size_t a = 0; a < K; ++a) x[a].add_product(set.matrix[a][j], at);
+        }
+        for (std::size_t a = 0; a < K; ++a) {
+            Number& coordinate = entry_at(z_, flights.chart[a]);
+            coordinate = Number(x[a]);
+            for (std::size_t j = 0; j < K; ++j)
+                coordinate += Number(set.matrix[a][j]) * Number::variable(-half[j], half[j], j);
+        }
+        if (flights.jacobi) z_.vn = normal_velocity(scene_, *flights.jacobi, z_.psi, z_.vt);
+        middle_ = differentiated_point(flights, x);
+        all_ = {values_of(z_.psi), values_of(z_.chi), values_of(z_.vn), values_of(z_.vt), values_of(z_.spin)};
+    }
+
+    SectionImage image(double time) {
+        const MiddleFlight flight = middle_flight(flights_, middle_, branch_, time);
+        if (!flight.good) return open_image("no flight ends so from the middle of a piece");
+        if (!enclose_time(flight)) return open_image("the time of a piece's flights is not enclosed");
+        branch_.slip = slip(flight);
+        Margins margins;
+        BallStep<Number> step = step_in_balls<Number>(scene_, branch_, flight.advance, z_, tau_, &margins);
+        for (const Margin& margin : margins)
+            if (!is_positive(margin.value))
+                return open_image(words("%s: it lies in %.3g ... %.3g", margin.name.c_str(), lower(margin.value),
+                                        upper(margin.value)));
+        const Clearance clearance = clear_flight(flights_.scene, all_, values_of(tau_), branch_.vertex_step, 2000);
+        if (clearance.verdict != Verdict::proven) return open_image(clearance.reason);
+        SectionImage image;
+        for (const std::size_t index : flights_.chart) {
+            const Number& to = entry_at(step.after, index);
+            image.middle.push_back(Ball(to.mid) + intervals::around(0, to.rest));
+            image.slopes.emplace_back();
+            for (const double slope : to.by) image.slopes.back().emplace_back(slope);
+            image.curves.emplace_back();
+            for (const double curve : to.two) image.curves.back().emplace_back(curve);
+        }
+        return image;
+    }
+
+private:
+    Number gap_at(const MiddleFlight& flight, const Number& tau) const {
+        return step_in_balls<Number>(scene_, branch_, flight.advance, z_, tau).gap;
+    }
+
+    /// tau_ = a polynomial p(e) and a range: for every e Newton's operator p − g(z, p)/∂_τ g maps p's surroundings into
+    /// themselves, with ∂_τ g over all of the piece.
+    bool enclose_time(const MiddleFlight& flight) {
+        const Number start(flight.time);
+        const double rate = middle(flight.step.gap.by[time_index]);
+        Number guess = start;
+        for (int i = 0; i < 2; ++i) {
+            const Number gap = gap_at(flight, guess);
+            if (!is_finite(gap)) return false;
+            guess = guess - Number(1 / rate) * gap;
+            guess.rest = 0;  // a polynomial, whatever its coefficients
+        }
+        const Ball open = values_of(gap_at(flight, guess));
+        const double reach = 2 * upper(abs(open)) / std::abs(rate) + 1e-18;
+        if (!std::isfinite(reach)) return false;
+        BallPoint<StepDual> over;
+        for (std::size_t index = 0; index < 5; ++index) entry_at(over, index) = StepDual(entry_at(all_, index));
+        const Ball wide = values_of(guess) + intervals::around(0, reach);
+        const StepDual gap =
+            step_in_balls<StepDual>(flights_.scene, branch_, flight.advance, over, StepDual::variable(wide, time_index))
+                .gap;
+        if (!is_positive(gap.by[time_index])) return false;
+        const double change = upper(abs(open / gap.by[time_index]));
+        tau_ = guess;
+        tau_.rest = change;
+        return change < reach && lower(values_of(tau_)) > 0;
+    }
+
+    /// The sign of the slip before the impact; 0 where it is not certain and sticking in compression allows it.
+    int slip(const MiddleFlight& flight) const {
+        if (branch_.mode == ContactMode::frictionless) return 0;
+        const BallStep<Number> step = step_in_balls<Number>(scene_, branch_, flight.advance, z_, tau_);
+        const Ball ut = values_of(kinematics(scene_, step.before).ut);
+        if (is_positive(ut)) return 1;
+        if (is_negative(ut)) return -1;
+        return branch_.mode == ContactMode::c_sticking ? 0 : middle(ut) > 0 ? 1 : -1;
+    }
+
+    const SectionFlights& flights_;
+    SceneIn<Number> scene_;
+    Branch branch_;
+    BallPoint<Number> z_;
+    BallPoint<StepDual> middle_;
+    BallPoint<Ball> all_;
+    Number tau_;
+};
 
 }  // namespace
 
@@ -178,44 +216,14 @@ SectionFlights::SectionFlights(const Scene<double>& of, const ChaosClaim& claim)
 
 SectionImage image_of(const SectionFlights& flights, const BallSet& set, const UnitPiece& piece, const Branch& branch,
                       double time) {
-    const std::size_t n = set.dimension();
-    const BallScene& scene = flights.scene;
-    SectionImage image;
-    BallVector x = set.centre;
-    for (std::size_t j = 0; j < n; ++j) {
-        const Ball from_to = between(piece.low[j], piece.high[j]), at = exact_middle(from_to);
-        image.offset.push_back(from_to - at);
-        for (std::size_t a = 0; a < n; ++a) x[a].add_product(set.matrix[a][j], at);
+    switch (set.dimension()) {
+        case 2:
+            return PieceFlight<2>(flights, set, piece, branch).image(time);
+        case 4:
+            return PieceFlight<4>(flights, set, piece, branch).image(time);
+        default:
+            return PieceFlight<5>(flights, set, piece, branch).image(time);
     }
-    BallVector all = x;
-    for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t j = 0; j < n; ++j) all[a].add_product(set.matrix[a][j], image.offset[j]);
-    Branch with_slip = branch;
-    with_slip.slip = branch.mode == ContactMode::frictionless ? 0 : 1;
-    const BallPoint<StepDual> z = differentiated_point(flights, x), over = differentiated_point(flights, all);
-    const MiddleFlight flight = middle_flight(flights, z, with_slip, time);
-    if (!flight.good) return open_image("no flight ends so from the middle of a piece");
-    const PieceTime tau = piece_time(flights, set, z, over, image.offset, with_slip, flight);
-    if (tau.open) return open_image("the time of a piece's flights is not enclosed");
-
-    const StepDual all_times = StepDual::variable(tau.all, time_index);
-    BallStep<StepDual> step = step_in_balls<StepDual>(scene, with_slip, flight.advance, over, all_times);
-    with_slip.slip = slip_of(flights, step, branch);
-    step = step_in_balls<StepDual>(scene, with_slip, flight.advance, over, all_times);
-    Margins margins;
-    const BallPoint<Ball> from = values_of_point(over);
-    step_in_balls<Ball>(scene, with_slip, flight.advance, from, tau.all, &margins);
-    for (const Margin& margin : margins)
-        if (!is_positive(margin.value))
-            return open_image(
-                words("%s: it lies in %.3g ... %.3g", margin.name.c_str(), lower(margin.value), upper(margin.value)));
-    const Clearance clearance = clear_flight(scene, from, tau.all, branch.vertex_step, 2000);
-    if (clearance.verdict != Verdict::proven) return open_image(clearance.reason);
-
-    BallPoint<Ball> end = step_in_balls<Ball>(scene, with_slip, flight.advance, values_of_point(z), tau.middle).after;
-    for (const std::size_t index : flights.chart) image.of_middle.push_back(entry_at(end, index));
-    image.derivative = slopes_of(flights, set, step);
-    return image;
 }
 
 }  // namespace swirl::proof

@@ -39,16 +39,18 @@ struct SectionFlights {
     SectionFlights(const Scene<double>& of, const ChaosClaim& claim);
 };
 
-/// F of the point in a piece's middle, and ∂F/∂x over the piece, of the chart's coordinates.
+/// F of a piece, of the chart's coordinates: middle + Σ slopes_j e_j + Σ curves_{jk} e_j e_k (j ≤ k, in lexicographic
+/// order) for the point whose q is that of the piece's middle and e_j, |e_j| ≤ 1, of its half-widths from there.
+/// `middle` holds what is of third order.
 struct SectionImage {
-    std::string open;       ///< what is not certain; the rest has no meaning then
-    BallVector offset;      ///< q − middle
-    BallVector of_middle;   ///< F
-    BallMatrix derivative;  ///< dF/dq
+    std::string open;  ///< what is not certain; the rest has no meaning then
+    BallVector middle;
+    BallMatrix slopes, curves;
 };
 
-/// Encloses the time of the flight by Newton's method over intervals, for every point of the piece; then asks the
-/// inequalities of the contact mode, and that no vertex is outside before.
+/// Encloses the time of the flight by Newton's method over intervals about a polynomial of e, for every point of the
+/// piece; then asks the inequalities of the contact mode, and that no vertex is outside before. Numbers keep their
+/// dependence on e to second order (curved.hpp).
 ///   time  of the flight, roughly
 SectionImage image_of(const SectionFlights& flights, const BallSet& set, const UnitPiece& piece, const Branch& branch,
                       double time);

@@ -16,6 +16,7 @@
 #include "apps/notebook/notebook_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/plot/plot_command.hpp"
+#include "apps/ramp/ramp_command.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/show/show_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -52,6 +53,8 @@ void add_commands(Program& program) {
                         continuation::continue_orbit);
     program.add_command("bifurcate", "what orbits settle on over one parameter, and the branches beneath",
                         bifurcate::bifurcate_details, bifurcate::bifurcate);
+    program.add_command("ramp", "one orbit while a parameter changes slowly, up and down", ramp::ramp_details,
+                        ramp::ramp);
     program.add_command("boundaries", "curves in two parameters on which cycles bifurcate",
                         boundaries::boundaries_details, boundaries::boundaries);
     program.add_command("sweep", "the modes across parameters", sweep::sweep_details, sweep::sweep);

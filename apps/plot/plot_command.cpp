@@ -33,6 +33,8 @@ const char* const plot_details =
   orbits              multipliers (in the complex plane, with the mean spin of each orbit)
   bifurcate/continue  bifurcation (samples, branches and their special points; where points of one kind lie
                       on one another, the first is drawn, and the legend counts them)
+  ramp                ramp (S over the parameter, up and down, where modes were left, and the branches of
+                      --branches; over the diagram of bifurcate, if its record is given first)
   boundaries          boundaries (curves in two parameters and their special points; over the mode map of a
                       sweep, if its record is given first)
   certify --plane     cells (proven cells by the number of attracting fixed points; what is not proven is black)
@@ -64,7 +66,7 @@ void PlotOptions::add_to(Flags& command) {
         ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
                  "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
                  "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour",        "energy",
-                 "means",  "map",        "fit",      "arcs",     "cells"});
+                 "means",  "map",        "fit",      "arcs",     "cells",        "ramp"});
     command.add_option("--width", width, "WIDTH", "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
     command.add_option("--font-size", font_size, "POINTS", "of the letters, in points (default 9, in a column 8)");

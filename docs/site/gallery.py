@@ -41,6 +41,8 @@ FIGURES = {
         ("steady-modes", f"describe {STEADY}", "", "Steady modes in closed form"),
         ("branch", f"continue {STEADY} --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.3:0.5", "", "The branch of one of them, with its special points"),
         ("diagram", f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.1:0.9:200 --branches", "", "What random starts settle on over α, and the branches beneath"),
+        ("ramp", "ramp --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --along beta=0.374:0.384 --rate 2e-7 --down --branches", "",
+         "A hysteresis loop: S while β rises past the fold of a cycle of two, and falls past the flip of the steady mode"),
         ("curves", f"boundaries {HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 2", "", "Curves on which cycles appear, end or change their stability"),
         ("cells", f"certify {HEXAGON} --plane alpha=0.55:0.7 --plane beta=0.6:0.8 --max-time 6 --resolution 0.03125", "",
          "Cells on which the number of fixed points is proven"),

@@ -134,6 +134,19 @@ def _draw_branches(axes, record, name, look):
     return periods, stabilities
 
 
+def draw_branches_in(colour, axes, record, look):
+    """S of a record's branches of whatever period, in one colour; handles of the legend."""
+    kinds = set()
+    for branch in numpy.unique(record.column("branches", "branch")) if _has_branches(record) else []:
+        for stable, lines in _lines(record, branch, "S", look).items():
+            if lines:
+                axes.add_collection(LineCollection(lines, colors=colour, linewidths=1.5 if stable else 0.9, zorder=2,
+                                                   linestyles="solid" if stable else (0, (3, 1.6))))
+                kinds.add(stable)
+    return [Line2D([], [], color=colour, lw=1.5 if stable else 0.9, ls="-" if stable else (0, (3, 1.6)),
+                   label="stable cycles" if stable else "unstable cycles") for stable in (True, False) if stable in kinds]
+
+
 def _branch_handles(record, periods, stabilities):
     handles = [Line2D([], [], color=colour, lw=1.5, label=f"period {period}")
                for period, colour in _colours(record).items() if period in periods]
@@ -213,7 +226,7 @@ def _draw_multiplier(axes, record, look):
 
 
 def is_diagram(record):
-    return any(record.has(name, "parameter") for name in ("samples", "branches", "special", "attractors"))
+    return "windows" not in record and any(record.has(name, "parameter") for name in ("samples", "branches", "special", "attractors"))
 
 
 def _has_branches(record):

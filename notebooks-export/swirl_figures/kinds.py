@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 from . import (arcs, attractors, balance, basins, bifurcation, boundaries, cells, contacts, energy, fit, lyapunov, multipliers, orbit, path,
-               quantities, recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
+               quantities, ramp, recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit, require_kinds
 from .record import RecordError, open_record
 from .room import PAGE, make_room
@@ -53,6 +53,7 @@ KINDS = {
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "cells": Kind(cells.is_of_cells, cells.draw_into, cells.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
+    "ramp": Kind(ramp.is_ramp, ramp.draw_into, ramp.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
     "shares": Kind(_with("runs", "mode"), shares.draw_into, shares.size),
     "verdict": Kind(verdict.has_verdict, verdict.draw_into, verdict.size),
@@ -103,7 +104,8 @@ def kind_of(record, kind=None):
 
 def draw(records, kind=None, look=Look()):
     """The figure of a record, of its default kind or of the kind named; of several records one figure: those of a section
-    portrait in the same axes, boundaries over the mode map that they follow, others below one another, (a), (b), …"""
+    portrait in the same axes, boundaries over the mode map that they follow, ramps over the diagram of their parameter, others
+    below one another, (a), (b), …"""
     records = [open_record(record) for record in (records if isinstance(records, (list, tuple)) else [records])]
     if len(records) > MOST_RECORDS:
         raise RecordError(f"{len(records)} records: a figure shows at most {MOST_RECORDS}")
@@ -121,6 +123,8 @@ def _drawn(records, names, look):
         return _draw_one(records[0], names[0], look)
     if names[0] == "modes" and set(names[1:]) == {"boundaries"}:
         return _draw_over_map(records, look)
+    if names[0] == "bifurcation" and set(names[1:]) == {"ramp"}:
+        return _draw_over_diagram(records, look)
     together = KINDS[names[0]].together
     if together and set(names) == {names[0]}:
         return _draw_together(records, names[0], look)
@@ -142,6 +146,12 @@ def _draw_one(record, name, look):
 def _draw_over_map(records, look):
     figure = _blank(boundaries.size(records[0], look), look)
     limit(boundaries.draw_over_map(figure, records, look), look, "boundaries", records[0])
+    return figure
+
+
+def _draw_over_diagram(records, look):
+    figure = _blank(ramp.size(records[1], look), look)
+    limit(ramp.draw_over_diagram(figure, records, look), look, "ramp", records[1])
     return figure
 
 

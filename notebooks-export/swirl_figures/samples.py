@@ -126,3 +126,12 @@ class Samples:
                 picture[(y[cells] + row).astype(int), x[cells]] = tints[inside_axes]
         self._axes.imshow(picture, extent=(left, right, bottom, top), origin="lower", aspect="auto",
                           interpolation="nearest", zorder=1)
+
+
+def draw_in_one_colour(axes, record, colour, look):
+    """S of all samples in the range as dots beneath something else; their handle."""
+    x, y = record.column("samples", "parameter"), record.column("samples", "S")
+    seen = inside(x, look.xlim)
+    style = {"ls": "", "marker": ".", "ms": 1.5, "mew": 0, "color": colour}
+    axes.plot(x[seen], y[seen], zorder=0, **style)
+    return [Line2D([], [], label="samples of the diagram", **{**style, "ms": 5})] if seen.any() else []

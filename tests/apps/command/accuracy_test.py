@@ -25,6 +25,7 @@ COMMANDS = {
     "orbits": f"orbits {STEADY} --near={NEAR_STEADY}",
     "continue": f"continue {STEADY} --from={NEAR_STEADY} --along beta=0.49:0.51",
     "bifurcate": f"bifurcate {STEADY} --along beta=0.49:0.5:2 --starts 1 {SHORT}",
+    "ramp": f"ramp {STEADY} --point={NEAR_STEADY} --along beta=0.5:0.49 --duration 100 --windows 4 --transient 200",
     "sweep": f"sweep {STEADY.replace('--beta 0.5', '')} --grid beta=0.49:0.5:2 {SHORT}",
 }
 #: Those that keep all digits.

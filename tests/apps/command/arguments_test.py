@@ -29,6 +29,8 @@ NUMBERS = {
     f"orbits {SCENE}": ["--period", "--max-period", "--starts", "--trajectories", "--collisions"],
     f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
     f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch", "--risk", "--error"],
+    f"ramp {SCENE} --along beta=0.4:0.5 --duration 100": ["--duration", "--cycles", "--windows", "--samples", "--transient",
+                                                         "--longest-period", "--tolerance"],
     f"boundaries {SCENE} --plane alpha=0.4:0.5 --plane beta=0.4:0.5": ["--max-period", "--lines", "--longest-step"],
     f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold", "--risk", "--error"],
     f"tradeoff {SCENE}": ["--budget"],

@@ -26,6 +26,7 @@ ASKED = {
     "describe": "", "tradeoff": "--budget 1", "certify": POINT,
     "continue": "--from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41",
     "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
+    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
     "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
     "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
 }
@@ -240,10 +241,10 @@ class Drag(unittest.TestCase):
 
     def test_completion_offers_drag_where_it_is_followed(self):
         script = run("completion bash").stdout
-        offered = {name for name in ("continue --along", "bifurcate --along", "boundaries --plane", "certify --along",
+        offered = {name for name in ("continue --along", "bifurcate --along", "boundaries --plane", "certify --along", "ramp --along",
                                      "sweep --grid")
                    if any(f"'{name}'" in line and "'drag='" in line for line in script.splitlines())}
-        self.assertEqual(offered, {"continue --along", "bifurcate --along", "sweep --grid"})
+        self.assertEqual(offered, {"continue --along", "bifurcate --along", "ramp --along", "sweep --grid"})
 
     def test_steady_modes_are_fixed_points(self):
         """Each that describe lists comes back to itself; the one that attracts is what an orbit comes to."""

@@ -27,6 +27,7 @@ COMMANDS = {
     "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",
     "spectrum": f"spectrum {HEXAGON} {SHORT}",
     "lyapunov": f"lyapunov {CHAOTIC} {SHORT}",
+    "ramp": "ramp --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --along beta=0.374:0.384 --rate 1e-6 --down --windows 40 --branches",
     "describe": "describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
     "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
     "basins": f"sweep {CHAOTIC.replace('restitution 1', 'restitution 0.95')} --grid vx=-0.4:0.4:5 --grid spin=-1:1:4 --transient 100 "
@@ -42,7 +43,7 @@ KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "t
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "three-axes": ["modes", "means", "map"], "sweep": ["modes", "means"], "tour": ["tour"],
-            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"], "cells": ["cells"]}
+            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "ramp": ["ramp"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"], "cells": ["cells"]}
 
 
 def measured_series():

@@ -35,6 +35,7 @@ COMMANDS = [
     f"continue {HEXAGON} --from={POINT} --along alpha=0.0001:0.99 --longest-step 1e-6",
     f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --transient 100000",
     f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --starts 0 --follow --transient 100000",
+    f"ramp {HEXAGON} --along beta=0.4:0.6 --rate 1e-9",
     f"boundaries {HEXAGON} --plane alpha=0.1:0.9 --plane beta=0.05:1.05 --lines 2000",
     f"sweep {CHAOS} --grid mu=0.1:0.2:1000 {LONG}",
     f"tradeoff {CHAOS} --budget 1000",

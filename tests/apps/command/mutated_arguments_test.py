@@ -27,6 +27,7 @@ LINES = [line.split() for line in (
     f"spectrum {SCENE} {SHORT} --bins 256 --segments 2 --overlap 0.5 --window hann",
     f"lyapunov {SCENE} {SHORT}",
     f"orbits {SCENE} --period 1 --starts 5 --trajectories 1 --collisions 100 --threads 1",
+    "ramp --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --along beta=0.4:0.41 --duration 20 --transient 20 --windows 2",
     f"bifurcate --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --along beta=0.4:0.6:2 --starts 1 {SHORT}",
     f"sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.2:0.8:2 {SHORT} -o a.h5",
     f"describe {SCENE} --max-time 5 --json",

@@ -1,4 +1,4 @@
-"""Noise at impacts, from outside: noise_test.py SWIRL. --noise-restitution, --noise-mu, --noise-wall of simulate."""
+"""Noise at impacts, from outside: noise_test.py SWIRL. --noise-restitution, --noise-mu, --noise-wall of simulate and ramp."""
 
 import math
 import statistics
@@ -31,13 +31,14 @@ class Noise(InFolder):
         self.assertAlmostEqual(statistics.pstdev(values), sigma, delta=5 * sigma / math.sqrt(2 * count))
 
     def test_none_changes_no_byte(self):
-        for command in (f"simulate {HEXAGON} --collisions 50", f"simulate {HEXAGON} --collisions 20 --accuracy quad"):
+        for command in (f"simulate {HEXAGON} --collisions 50", f"simulate {HEXAGON} --collisions 20 --accuracy quad",
+                        f"ramp {HEXAGON} --along beta=0.5:0.52 --rate 1e-3 --windows 3"):
             plain = run(f"{command} --json").stdout
             self.assertEqual(run(f"{command} --json --noise-restitution 0 --noise-mu 0 --noise-wall 0").stdout, plain)
             self.assertNotIn("noise", plain)
 
     def test_the_same_seed_gives_the_same_bytes(self):
-        for command in (f"simulate {HEXAGON} --collisions 300 {ALL}",):
+        for command in (f"simulate {HEXAGON} --collisions 300 {ALL}", f"ramp {HEXAGON} --along beta=0.5:0.52 --rate 1e-3 --windows 3 {ALL}"):
             first = run(f"{command} --json --seed 5 --threads 1").stdout
             self.assertEqual(run(f"{command} --json --seed 5 --threads 2").stdout, first)
             self.assertNotEqual(run(f"{command} --json --seed 6 --threads 1").stdout, first)
@@ -84,6 +85,13 @@ class Noise(InFolder):
                 self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
                 self.assertIn(flag[2:], result.stderr)
             self.assertEqual(run(f"simulate {HEXAGON} {flag} 0.1 --accuracy quad").returncode, 2)
+
+    def test_it_ends_a_mode_before_its_end(self):
+        """Noise leaves the cycle of two before its fold (0.38127), where without it the cycle is kept beyond."""
+        ramp = ("ramp --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --point=0.0579050729,0.2629593559,-0.5381775153,0.7252958927,-0.8956189008 "
+                "--along beta=0.38:0.384 --rate 1e-6 --tolerance 0.1 --windows 4")
+        self.assertGreater(document(ramp)["modes"][0]["left_at"], 0.38127)
+        self.assertLess(document(f"{ramp} --noise-restitution 0.01 --seed 2")["modes"][0]["left_at"], 0.38127)
 
 
 if __name__ == "__main__":

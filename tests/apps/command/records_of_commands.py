@@ -35,6 +35,8 @@ RECORDS = {
     "attracting": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.35:0.45:11", "bifurcation"),
     "coordinate": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.38:0.42:3 --observable psi --branches", "bifurcation"),
     "diagram": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.35:0.45:11 --branches", "bifurcation"),
+    "ramp": (f"ramp {STEADY} --along beta=0.5:0.55 --duration 500 --windows 5", "ramp"),
+    "loop": (f"ramp {STEADY} --along mu=0.5:0.45 --duration 300 --windows 5 --cycles 2 --branches", "ramp"),
     "curves": (f"boundaries {HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 1 --lines 2", "boundaries"),
     "cells": (f"certify {HEXAGON} --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2 --resolution 0.25", "cells"),
     "line": (f"sweep {STEADY.replace('--alpha 0.4 ', '')} --grid alpha=0.3:0.5:3 --runs 2 {BRIEF}", "modes"),

@@ -16,6 +16,7 @@ ASKED = {
     "orbits": "--max-period 1 --starts 50 --trajectories 1 --collisions 100",
     "describe": "", "tradeoff": "--budget 1", "certify": "--all",
     "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
+    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
     "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
     "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
 }

@@ -24,6 +24,7 @@ ASKED = {
     "certify": "--near=0,-0.43056,0.19151,-0.30504 --period 1",
     "continue": "--from=0,-0.43056,0.19151,-0.30504 --along tau=1:1.5",
     "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
+    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
     "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
     "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
 }

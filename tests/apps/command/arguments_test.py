@@ -14,7 +14,8 @@ POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
 #: A command that runs, and its options with a number: (option, whether it is a whole one).
 NUMBERS = {
     f"simulate {SCENE}": ["--collisions", "--time", "--skip", "--every", "--sample", "--threads", "--x", "--y", "--vx",
-                          "--vy", "--angle", "--spin", "--speed", "--seed", "--camera", "--noise", "--lose", "--pixels"],
+                          "--vy", "--angle", "--spin", "--speed", "--seed", "--camera", "--noise", "--lose", "--pixels",
+                          "--noise-restitution", "--noise-mu", "--noise-wall"],
     f"classify {SCENE}": ["--transient", "--collisions", "--threshold", "--max-period", "--runs", "--risk", "--error"],
     "classify --series m.csv": ["--noise"],
     f"recurrence {SCENE}": ["--threshold", "--threshold-std", "--recurrence-rate", "--dimension", "--delay", "--image",

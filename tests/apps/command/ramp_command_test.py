@@ -167,6 +167,18 @@ class Command(InFolder):
         modes = xarray.open_dataset(self.folder / "a.h5", group="modes", engine="h5netcdf")
         self.assertEqual(modes.sizes["mode"], len(found["modes"]))
 
+    def test_a_figure_lies_over_the_diagram_of_its_parameter(self):
+        for name, command in (("ramp", f"ramp {SCENE} --along beta=0.374:0.384 --rate 1e-5 --down --windows 5"),
+                              ("same", f"bifurcate {SCENE} --along beta=0.37:0.39:3 --starts 1 --branches"),
+                              ("other", "bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.9 --along alpha=0.39:0.4:2 --starts 1")):
+            self.assertEqual(run(f"{command} --quiet -o {self.folder}/{name}.h5").returncode, 0)
+        drawn = run(f"plot {self.folder}/same.h5 {self.folder}/ramp.h5 -o {self.folder}/a.png --caption {self.folder}/a.txt")
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertIn("fold", (self.folder / "a.txt").read_text())
+        refused = run(f"plot {self.folder}/other.h5 {self.folder}/ramp.h5 -o {self.folder}/b.png")
+        self.assertEqual((refused.returncode, len(refused.stderr.splitlines())), (2, 1), refused.stderr)
+        self.assertIn("is over beta", refused.stderr)
+
     def test_an_interruption_keeps_what_is_done(self):
         command = f"ramp {SCENE} --along beta=0.42:0.45 --rate 1e-9 --windows 100000 --quiet -o {self.folder}/a.h5"
         self.assertEqual(interrupted(command, 1.5), 130)

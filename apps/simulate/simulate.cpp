@@ -45,6 +45,9 @@ The outcome says how the orbit ended. All but the first exit with code 3, interr
 vertex 0 and the direction from the one to the other, rounded, with --noise, without the share --lose of the frames;
 --pixels P gives an image's axes. --seed also seeds the noise.
 
+--noise-restitution, --noise-mu and --noise-wall let e, mu and the direction of the wall's normal vary from impact to impact,
+normally distributed, e reflected into [0, 1] and mu at 0; each number of an impact has its own draw of --seed.
+
 --skip and --every leave out impacts; contacts are always listed. J after an impact is J after the one before plus
 jacobi_restitution + jacobi_friction of the impact, plus jacobi_friction + landing_jacobi of the contacts between them.
 
@@ -53,6 +56,7 @@ Examples:
   swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5
   swirl simulate --sides disk --alpha 0.3 --beta 0 --mu 1000 --restitution 1 --tangential-restitution 1 --x 0.1 --vy 0.8 --spin 2
   swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --noise-restitution 0.02 --noise-wall 0.01 --seed 2
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --time 300 --camera 5 --noise 0.002 --lose 0.01 -o film.csv)";
 
 namespace {

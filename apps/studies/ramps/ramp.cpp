@@ -106,7 +106,10 @@ private:
             const auto step = next_step(i + 1);
             if (!step.alive) return false;
             z_ = step.state;
+            kept_.add(map_, map_.coordinates(z_));
         }
+        if (kept_.period() > 0) begin_mode();
+        fills_ = kept_.period() > 0;
         return true;
     }
 
@@ -167,13 +170,7 @@ private:
                 return;
             case analysis::PeriodEvent::kept: {
                 fills_ = false;
-                RampMode mode;
-                mode.period = kept_.period();
-                mode.kept_from = ramp_.parameter;
-                mode.kept_at = ramp_.time;
-                ramp_.modes.push_back(mode);
-                see(ramp_.modes.back());
-                was_seen_ = false;
+                begin_mode();
                 return;
             }
             case analysis::PeriodEvent::left: {
@@ -184,6 +181,16 @@ private:
                 return;
             }
         }
+    }
+
+    void begin_mode() {
+        RampMode mode;
+        mode.period = kept_.period();
+        mode.kept_from = ramp_.parameter;
+        mode.kept_at = ramp_.time;
+        ramp_.modes.push_back(mode);
+        see(ramp_.modes.back());
+        was_seen_ = false;
     }
 
     /// Its points, as they are now.
@@ -225,7 +232,7 @@ private:
             now_.mean_spin = turned / time;
             now_.error = analysis::error_of_ratio(integrals_, durations_);
             now_.period = fills_ ? kept_.period() : 0;
-            now_.last = section_point(z_before_window_end());
+            now_.last = recent_.back().point;
             if (fills_ && !was_seen_) {
                 see(ramp_.modes.back());
                 was_seen_ = true;
@@ -238,9 +245,6 @@ private:
         integrals_.clear();
         recent_.clear();
     }
-
-    /// The state after the window's last impact: the last sample's point, of which there is at least one.
-    PostImpactState<double> z_before_window_end() const { return post_impact_state(recent_.back().point); }
 
     const RampSettings& settings_;
     Course course_;

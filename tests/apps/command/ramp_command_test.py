@@ -97,7 +97,7 @@ class Loop(unittest.TestCase):
     def test_a_slow_one_is_on_the_diagram(self):
         found = document(f"ramp {SCENE} --along beta=0.45:0.42 --rate 1e-6 --windows 4")
         columns = {}
-        for window in found["windows"][1:]:
+        for window in found["windows"]:
             self.assertEqual((window["period"], window["direction"]), (1, "down"))
             plain = document(f"bifurcate {SCENE} --along beta={window['parameter']!r},0.9 --starts 1")["columns"][0]
             columns[window["parameter"]] = plain["attractors"][0]["mean_S"]
@@ -162,8 +162,7 @@ class Command(InFolder):
         samples = xarray.open_dataset(self.folder / "a.h5", group="samples", engine="h5netcdf")
         self.assertEqual(samples.sizes["sample"], 60)
         for name in ("psi", "chi", "vn", "vt", "S"):
-            for sample, window in zip(samples[name].values[2::3], found["windows"]):
-                self.assertAlmostEqual(sample, window[name], delta=1e-15 * max(1, abs(sample)))
+            self.assertEqual(list(samples[name].values[2::3]), [window[name] for window in found["windows"]])
         modes = xarray.open_dataset(self.folder / "a.h5", group="modes", engine="h5netcdf")
         self.assertEqual(modes.sizes["mode"], len(found["modes"]))
 

@@ -1,6 +1,4 @@
 #include "apps/studies/scene_map/dynamics_in_double.hpp"
-#include "map/dragged/dragged_derivative.hpp"
-#include "map/orbit/dragged_return_derivative.hpp"
 
 namespace swirl::studies {
 

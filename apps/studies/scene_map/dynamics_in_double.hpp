@@ -6,7 +6,7 @@
 #include "apps/studies/scene_map/scene_dynamics.hpp"
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/derivative/parameter.hpp"
-#include "map/orbit/return_derivative.hpp"
+#include "map/orbit/dragged_return_derivative.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -56,15 +56,15 @@ struct Attempt {
 
 /// The largest sets about a cycle's points that are proven to be carried over each other: those that samples allow,
 /// ever smaller until a proof in few pieces succeeds.
-Saddle proven_saddle(const Scene<double>& scene, const ChartMap& map, const CyclePlace& place, double aspect,
+Saddle proven_saddle(const Scene<double>& scene, const ChartMap& map, const CyclePlace& place, const SetShape& shape,
                      const ChaosOptions& options) {
     constexpr int few_pieces = 600;
     constexpr double narrowest = 1e-7;
-    double widest = 0.1;
+    double widest = shape.widest;
     Saddle saddle;
     for (std::string why; widest > narrowest; widest = 0.5 * saddle.sets.front().width) {
-        saddle =
-            saddle_at(map, map.chart_of(place.points.front()), static_cast<int>(place.points.size()), widest, aspect);
+        saddle = saddle_at(map, map.chart_of(place.points.front()), static_cast<int>(place.points.size()), widest,
+                           shape.aspect);
         if (saddle.sets.empty() || options.control.is_stopped()) break;
         Attempt attempt;
         attempt.claim.jacobi = map.jacobi();
@@ -86,14 +86,14 @@ Saddle proven_saddle(const Scene<double>& scene, const ChartMap& map, const Cycl
 }
 
 /// The cycles' saddles in their order; `found.cycles` says why one has none.
-std::vector<Saddle> saddles_of(const ChartMap& map, const std::vector<CyclePlace>& places, double aspect,
+std::vector<Saddle> saddles_of(const ChartMap& map, const std::vector<CyclePlace>& places, const SetShape& shape,
                                const ChaosOptions& options, Attempt& attempt, ProvenChaos& found) {
     const auto tried = std::make_shared<std::vector<Saddle>>(places.size());
     const auto work = std::make_shared<const std::vector<CyclePlace>>(places);
     const Scene<double> scene = found.scene;
     run_pieces(places.size(), "cycles", options.control,
-               [scene, map, work, tried, aspect, options](std::size_t i) -> KeepResult {
-                   auto saddle = proven_saddle(scene, map, (*work)[i], aspect, options);
+               [scene, map, work, tried, shape, options](std::size_t i) -> KeepResult {
+                   auto saddle = proven_saddle(scene, map, (*work)[i], shape, options);
                    return [tried, i, saddle = std::move(saddle)] { (*tried)[i] = saddle; };
                });
     std::vector<Saddle> saddles;
@@ -262,11 +262,11 @@ ProvenChaos proven_chaos(const Scene<double>& scene, const std::vector<CyclePlac
     Attempt attempt;
     const ProvenChaos blank = found;
     double most = -1;
-    for (const double aspect : options.aspects) {  // which suits is not known before
+    for (const SetShape& shape : options.shapes) {  // which suits is not known before
         ProvenChaos now = blank;
         Attempt tried;
         tried.claim.jacobi = map.jacobi();
-        const std::vector<Saddle> saddles = saddles_of(map, places, aspect, options, tried, now);
+        const std::vector<Saddle> saddles = saddles_of(map, places, shape, options, tried, now);
         const std::vector<Connection> connections = all_connections(map, saddles, options);
         now.found = connections.size();
         add_orbits(map, connections, options, tried, now);

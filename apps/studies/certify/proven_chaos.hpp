@@ -13,12 +13,18 @@
 
 namespace swirl::studies::certify {
 
+/// Heights in widths, at least, and the largest width.
+struct SetShape {
+    double aspect = 1, widest = 0.1;
+};
+
 struct ChaosOptions {
-    int longest_link = 10;                        ///< impacts of an orbit between two cycles, at most
-    int most_links = 64;                          ///< orbits between cycles that are taken, the shortest first
-    int scan = 4000;                              ///< points of an unstable manifold that are tried, per set and side
-    std::vector<double> aspects{1, 4, 0.25, 16};  ///< heights of sets about cycles in their widths; the best is taken
-    int most_pieces = 3000;                       ///< of a set, after which nothing is said
+    int longest_link = 10;  ///< impacts of an orbit between two cycles, at most
+    int most_links = 64;    ///< orbits between cycles that are taken, the shortest first
+    int scan = 4000;        ///< points of an unstable manifold that are tried, per set and side
+    /// Of sets about cycles; that from which most follows is taken.
+    std::vector<SetShape> shapes{{1, 0.1}, {4, 0.1}, {0.25, 0.1}, {16, 0.1}, {0.25, 0.02}, {1, 0.02}};
+    int most_pieces = 3000;  ///< of a set, after which nothing is said
     int exponent_impacts = 20'000;
     RunControl control = {};
 };

@@ -20,7 +20,7 @@ namespace {
 
 enum class Letters { none, letter, digit };
 
-Letters kind_of(char c) {
+Letters letters_of(char c) {
     const auto byte = static_cast<unsigned char>(c);
     if (std::isdigit(byte) != 0) return Letters::digit;
     return std::isalpha(byte) != 0 || byte >= 0x80 ? Letters::letter : Letters::none;
@@ -41,7 +41,7 @@ std::vector<Word> words_of(const std::string& name) {
     Letters before = Letters::none;
     bool lower_before = false;
     for (std::size_t i = 0; i < size; ++i) {
-        const Letters kind = kind_of(name[i]);
+        const Letters kind = letters_of(name[i]);
         const auto byte = static_cast<unsigned char>(name[i]);
         const bool is_capital = std::isupper(byte) != 0;
         if (kind != Letters::none) {

@@ -34,8 +34,8 @@ void shut_down(Ranks& ranks) {
     while (!is_interrupted()) {
         const bool too_late = std::chrono::steady_clock::now() >= limit;  // a suspended process polls once more
         if (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::all_gone) return;
-            if (kind_of(message->bytes) == MessageKind::some_lost) break;
+            if (message_kind_of(message->bytes) == MessageKind::all_gone) return;
+            if (message_kind_of(message->bytes) == MessageKind::some_lost) break;
         } else if (too_late) {
             break;
         } else {
@@ -50,7 +50,7 @@ void refuse_to_serve(Ranks& ranks, const std::string& why) {
     constexpr std::size_t longest = 1000;
     ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
     while (!is_interrupted()) {
-        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
+        if (const auto message = ranks.receive(); message && message_kind_of(message->bytes) == MessageKind::end)
             return shut_down(ranks);
         std::this_thread::sleep_for(poll_interval);
     }
@@ -80,7 +80,7 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
         }
         if (!some.empty()) say(message_of(some));
         while (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::end) return shut_down(ranks);
+            if (message_kind_of(message->bytes) == MessageKind::end) return shut_down(ranks);
             workers.add(pieces_in(message->bytes));
             asked = false;
         }
@@ -113,7 +113,7 @@ HandOut::~HandOut() {
         while (const auto message = ranks_.receive()) {
             Other& other = others_[static_cast<std::size_t>(message->from)];
             other.lost = false;
-            if (kind_of(message->bytes) == MessageKind::gone) other.has_gone = true;
+            if (message_kind_of(message->bytes) == MessageKind::gone) other.has_gone = true;
         }
         std::this_thread::sleep_for(poll_interval);
     }
@@ -156,7 +156,7 @@ void HandOut::read(const Message& message, std::string_view name) {
     Other& other = others_[static_cast<std::size_t>(message.from)];
     other.heard = Clock::now();
     other.lost = false;
-    switch (kind_of(message.bytes)) {
+    switch (message_kind_of(message.bytes)) {
         case MessageKind::wants_work:
             if (words_in(message.bytes) != name)
                 return leave_out(message.from,

@@ -52,7 +52,7 @@ std::vector<std::byte> message_of(const std::vector<PieceResult>& results) {
     return message;
 }
 
-MessageKind kind_of(std::span<const std::byte> message) {
+MessageKind message_kind_of(std::span<const std::byte> message) {
     return static_cast<MessageKind>(message.front());
 }
 

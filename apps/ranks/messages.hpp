@@ -28,7 +28,7 @@ std::vector<std::byte> message_of(MessageKind kind, std::string_view words = {})
 std::vector<std::byte> message_of(std::span<const std::size_t> pieces);
 std::vector<std::byte> message_of(const std::vector<PieceResult>& results);
 
-MessageKind kind_of(std::span<const std::byte> message);
+MessageKind message_kind_of(std::span<const std::byte> message);
 std::string words_in(std::span<const std::byte> message);
 std::vector<std::size_t> pieces_in(std::span<const std::byte> message);
 std::vector<PieceResult> results_in(std::span<const std::byte> message);

@@ -175,13 +175,13 @@ class Kept(Ending):
         self.assertGreater(len(file["samples/S"]), 2)
 
     def test_a_sweep_goes_on_from_every_run_that_had_ended(self):
-        command = f"sweep {HEXAGON} --grid mu=0.3:0.6:2000 --transient 1000 --collisions 1000 --exhaustive -o a.h5".replace(
+        command = f"sweep {HEXAGON} --grid mu=0.3:0.6:20000 --transient 1000 --collisions 1000 --exhaustive -o a.h5".replace(
             "--mu 0.5 ", "")
         kept = []
         for _ in range(2):
             code, _, errors = self.end(command, 1)
             self.assertEqual((code, self.names()), (130, [".a.h5.journal"]), errors)
-            kept.append(int(re.search(r"(\d+) of 2000 runs are kept", errors)[1]))
+            kept.append(int(re.search(r"(\d+) of 20000 runs are kept", errors)[1]))
         self.assertGreater(kept[0], 0)
         self.assertGreater(kept[1], kept[0])
 

@@ -3,6 +3,7 @@
 // map, where its own first contact is one thing on one side and another on the other.
 #pragma once
 
+#include "map/derivative/linearised_collision.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/model/parameter.hpp"
 #include "map/numbers/jets.hpp"

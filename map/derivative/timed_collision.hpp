@@ -3,6 +3,7 @@
 // impact at τ have bounded derivatives.
 #pragma once
 
+#include "map/derivative/linearised_collision.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/model/parameter.hpp"
 #include "map/numbers/jets.hpp"

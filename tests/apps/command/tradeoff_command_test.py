@@ -130,23 +130,6 @@ class Ladders(unittest.TestCase):
                     and row["error_in_condition"] * (2**-11 if row["name"] == "extended" else 1) <= 50]
             self.assertEqual(found["knee"], min(kept, key=lambda row: row["seconds_per_collision"])["name"], scene)
 
-    def test_fewer_impacts_are_recommended_where_neither_verdicts_nor_mean_s_change(self):
-        """From eight starts of verdicts that is never known, from 32 of which none changes it is."""
-        few = document(f"tradeoff {CHAOS} --budget 0.3")
-        self.assertIsNone(few["enough_collisions"])
-        self.assertRegex(few["advice"], rf"with (at least )?{few['evidence'][-1]['collisions']} \+ ")
-        many = measured(CHAOS, 10)
-        rows = many["evidence"]
-        self.assertEqual(many["settings"]["starts"], 64)
-        if rows[0]["runs"] < 32:
-            self.skipTest("the machine is too busy for as many starts")
-        modes = [row["changed_rate_most"] < many["settings"]["may_change"] for row in rows]
-        means = [row["mean_S_differs"] < many["settings"]["mean_may_differ"] for row in rows]
-        self.assertTrue(all(modes))  # the mode is known from 100 impacts on, where mean S is not
-        self.assertFalse(means[0])
-        first = next((k for k in range(len(rows) - 1) if all(modes[k:]) and all(means[k:])), None)
-        self.assertEqual(many["enough_collisions"], None if first is None else rows[first]["collisions"])
-
     def test_what_is_recommended_fits_into_lines(self):
         for scene in (CHAOS, LANDS):
             shown = run(f"tradeoff {scene} --budget 0.5").stdout
@@ -221,6 +204,25 @@ class Ladders(unittest.TestCase):
         took = time.monotonic() - begin
         self.assertGreater(took, 1)
         self.assertLess(took, 1.3 + 1)  # a third beyond it, and a second to start and for what is under way on a busy machine
+
+
+class Enough(unittest.TestCase):
+    def test_fewer_impacts_are_recommended_where_neither_verdicts_nor_mean_s_change(self):
+        """From eight starts of verdicts that is never known, from 32 of which none changes it is."""
+        few = document(f"tradeoff {CHAOS} --budget 0.3")
+        self.assertIsNone(few["enough_collisions"])
+        self.assertRegex(few["advice"], rf"with (at least )?{few['evidence'][-1]['collisions']} \+ ")
+        many = measured(CHAOS, 10)
+        rows = many["evidence"]
+        self.assertEqual(many["settings"]["starts"], 64)
+        if rows[0]["runs"] < 32:
+            self.skipTest("the machine is too busy for as many starts")
+        modes = [row["changed_rate_most"] < many["settings"]["may_change"] for row in rows]
+        means = [row["mean_S_differs"] < many["settings"]["mean_may_differ"] for row in rows]
+        self.assertTrue(all(modes))  # the mode is known from 100 impacts on, where mean S is not
+        self.assertFalse(means[0])
+        first = next((k for k in range(len(rows) - 1) if all(modes[k:]) and all(means[k:])), None)
+        self.assertEqual(many["enough_collisions"], None if first is None else rows[first]["collisions"])
 
 
 class Regimes(unittest.TestCase):

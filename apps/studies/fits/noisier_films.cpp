@@ -45,13 +45,14 @@ FittedGroups fitted_groups(std::span<const analysis::MeasuredImpact> impacts) {
     fitted.thinned = singles - kept;
     std::size_t single = 0;
     for (const analysis::AlikeImpacts& group : groups) {
-        if (group.merged()) {
+        bool is_kept = group.merged();
+        if (is_kept) {
             fitted.alike += group.members.size();
-            fitted.groups.push_back(group);
         } else {  // kept evenly
-            if ((single + 1) * kept / singles > single * kept / singles) fitted.groups.push_back(group);
+            is_kept = (single + 1) * kept / singles > single * kept / singles;
             ++single;
         }
+        if (is_kept) fitted.groups.push_back(group);
     }
     return fitted;
 }

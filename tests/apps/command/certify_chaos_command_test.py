@@ -50,7 +50,7 @@ class CertifyChaos(InFolder):
                 psi, vt = numpy.array(first["centre"]) + numpy.array(first["matrix"]) @ [q, 0.5]
                 x, y = 0.7 + 0.5 * math.cos(psi), 0.5 * math.sin(psi)
                 vn = y - math.sqrt(x * x + y * y - (vt - x) ** 2 + 2 * level)
-                step = document(f"simulate {DISK} --point={psi!r},{vn!r},{vt!r},0 --collisions 1")["collisions"][0]
+                step = document(f"simulate {DISK} --point={float(psi)!r},{float(vn)!r},{float(vt)!r},0 --collisions 1")["collisions"][0]
                 away = numpy.array([step["psi"], step["vt"]]) - second["centre"]
                 away[0] = math.remainder(away[0], 2 * math.pi)
                 ends.append((inverse @ away)[0])

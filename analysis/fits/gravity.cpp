@@ -287,8 +287,7 @@ std::optional<FallingArcs> settled_fall(std::span<const FilmFrame> frames, doubl
     if (settings.gravity) {
         model.gravity = *settings.gravity;
     } else if (!settings.start) {
-        const std::optional<Vector2d> start =
-            first_gravity(fit_arcs(frames, period, {{}, {}, settings.least_noise, {}, {}}));
+        const std::optional<Vector2d> start = first_gravity(fit_arcs(frames, period, {{}, {}, settings.least_noise}));
         if (!start) return std::nullopt;
         model.gravity = *start;
     }

@@ -4,6 +4,7 @@ Films of bodies that fall on a plate: parabolas in closed form, impacts by Routh
 a tracker's noise and digits."""
 
 import math
+import os
 import tempfile
 import unittest
 from pathlib import Path
@@ -109,6 +110,14 @@ class Truth(WithFalls, InFolder):
         shown = run(f"fit --falls {files} {FLAGS} {FEW}").stdout
         for words in ("8 falls", "gravity", "plate", "of a uniform body", "parts of the impacts"):
             self.assertIn(words, shown)
+
+    def test_the_answer_is_the_same_whatever_threads_and_environment(self):
+        """A longer environment moves the stack, where what nobody has set would be read."""
+        files = self.written(6, name="same")
+        answers = {run(f"fit --falls {files} {FLAGS} {FEW} --json --threads {threads}", env={**os.environ, "LONGER": 17 * threads * "x"}).stdout
+                   for threads in (1, 2, 3)}
+        self.assertEqual(len(answers), 1)
+        self.assertIn("restitution", answers.pop())
 
     def test_an_image_has_its_axis_down(self):
         for path in map(Path, self.written(6, name="down").split()):

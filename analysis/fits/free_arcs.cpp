@@ -323,29 +323,21 @@ Track track_of(const FilmArcs& film) {
     return track;
 }
 
-/// Each arc fitted to its frames again, with the film's drags and fall.
-void refit(FilmArcs& film) {
-    const Track track = track_of(film);
-    for (FreeArc& arc : film.arcs) {
-        const bool after_gap = arc.after_gap;
-        arc = line_through(track, arc.first, arc.last);
-        arc.after_gap = after_gap;
-    }
-}
-
 }  // namespace
 
 FilmArcs with_drags(const FilmArcs& film, const Drags& drags) {
-    FilmArcs other = film;
-    other.drags = drags;
-    refit(other);
-    return other;
+    return with_fall(film, film.fall.gravity, drags);
 }
 
 FilmArcs with_fall(const FilmArcs& film, const Eigen::Vector2d& gravity, const Drags& drags) {
     FilmArcs other = film;
     other.fall.gravity = gravity, other.drags = drags;
-    refit(other);
+    const Track track = track_of(other);
+    for (FreeArc& arc : other.arcs) {
+        const bool after_gap = arc.after_gap;
+        arc = line_through(track, arc.first, arc.last);
+        arc.after_gap = after_gap;
+    }
     return other;
 }
 

@@ -3,9 +3,11 @@
 #include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace swirl::apps {
 
@@ -39,8 +41,14 @@ void take_list(const std::string& named, const std::vector<std::string>& values,
     along.high = along.columns.back();
 }
 
-bool is_of_plain_scenes(Parameter parameter) {
-    return parameter != Parameter::drag && parameter != Parameter::tangential_restitution;
+/// Names of the parameters, in their order.
+std::vector<std::string_view> names_over(RangesOver over) {
+    std::vector<std::string_view> names;
+    for (const Parameter parameter : all_parameters)
+        if (over != RangesOver::plain_scenes ||
+            (parameter != Parameter::drag && parameter != Parameter::tangential_restitution))
+            names.push_back(name_of(parameter));
+    return names;
 }
 
 }  // namespace
@@ -86,18 +94,13 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
 }
 
 std::string parameters_in_words(RangesOver over) {
-    std::string words;
-    for (const Parameter parameter : all_parameters)
-        if (over != RangesOver::plain_scenes || is_of_plain_scenes(parameter))
-            words += fmt::format("{}{}", words.empty() ? "" : ", ", name_of(parameter));
+    const std::string words = fmt::format("{}", fmt::join(names_over(over), ", "));
     return over == RangesOver::families ? words + "; S or tau for a family" : words;
 }
 
 std::vector<std::string> parameters_to_offer(RangesOver over) {
     std::vector<std::string> words;
-    for (const Parameter parameter : all_parameters)
-        if (over != RangesOver::plain_scenes || is_of_plain_scenes(parameter))
-            words.push_back(fmt::format("{}=", name_of(parameter)));
+    for (const std::string_view name : names_over(over)) words.push_back(fmt::format("{}=", name));
     if (over == RangesOver::families) words.insert(words.end(), {"S=", "tau="});
     return words;
 }

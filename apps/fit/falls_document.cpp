@@ -1,10 +1,9 @@
 #include "apps/fit/falls_document.hpp"
 
-#include "apps/output/wrapped.hpp"
+#include "apps/fit/left_out.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstddef>
@@ -16,24 +15,7 @@ namespace swirl::apps::fit {
 namespace {
 
 using studies::FilmImpact;
-using studies::KinkUse;
 using studies::SubsetFit;
-
-/// Usable impacts beyond the first of those that are fitted as one.
-std::size_t repeats_of(const studies::FallsFit& falls) {
-    return falls.counts[static_cast<std::size_t>(KinkUse::used)] - falls.thinned - falls.fit.impacts.size() -
-           falls.fit.left_out;
-}
-
-Settings counts_of(const studies::FallsFit& falls) {
-    Settings counts;
-    for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        counts.emplace_back(std::string(studies::names_of(KinkUse{static_cast<int>(use)}).key),
-                            static_cast<std::int64_t>(falls.counts[use]));
-    counts.emplace_back("thinned", static_cast<std::int64_t>(falls.thinned));
-    counts.emplace_back("alike", static_cast<std::int64_t>(repeats_of(falls)));
-    return counts;
-}
 
 /// In the table's lengths.
 Eigen::Vector2d gravity_of(const FallsReport& report) {
@@ -201,20 +183,7 @@ void print_falls(const FallsReport& report) {
     fmt::print("  plate           at y = {:.4g} + {:.3g} x; vertices are {:.2g} off it at impacts\n",
                radius * falls.plate.height / std::cos(falls.plate.tilt), std::tan(falls.plate.tilt),
                radius * falls.plate.off_plate);
-    std::vector<std::string> reasons;
-    for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        if (falls.counts[use] > 0)
-            reasons.push_back(
-                fmt::format("{} {}", falls.counts[use], studies::names_of(KinkUse{static_cast<int>(use)}).words));
-    if (repeats_of(falls) > 0) reasons.push_back(fmt::format("{} like others, in their means", repeats_of(falls)));
-    if (falls.thinned > 0) reasons.push_back(fmt::format("{} thinned", falls.thinned));
-    if (falls.noisier > 0)
-        fmt::print("  as much noise   again moves e by {:.2g}, mu by {:.2g} ({} films)\n", falls.restitution_shift,
-                   falls.friction_shift, falls.noisier);
-    fmt::print("{}\n",
-               wrapped(fmt::format("  used            {} impacts{}", falls.fit.impacts.size(),
-                                   reasons.empty() ? "" : fmt::format("; left out: {}", fmt::join(reasons, ", "))),
-                       18));
+    print_used(falls);
 }
 
 void print_subsets(const FallsReport& report) {

@@ -1,11 +1,11 @@
 #include "apps/fit/film_document.hpp"
 
 #include "apps/command_line/scene_options.hpp"
+#include "apps/fit/left_out.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,6 @@ namespace {
 
 using analysis::FreeArc;
 using studies::FilmImpact;
-using studies::KinkUse;
 
 /// Where the swirl's centre is, in the columns' units.
 Eigen::Vector2d origin_of(const FilmReport& report) {
@@ -62,22 +61,6 @@ std::string spin_drag_in_words(const studies::FilmFit& film) {
     if (std::isnan(drag.value)) return "can't be told";
     return fmt::format("{:.3g} +- {:.2g} of the spin per 1/omega_s{}", drag.value, drag.error,
                        film.arcs.drags.angle == 0 ? "; arcs have a constant spin" : "");
-}
-
-/// Usable impacts beyond the first of those that are fitted as one.
-std::size_t repeats_of(const studies::FilmFit& film) {
-    return film.counts[static_cast<std::size_t>(studies::KinkUse::used)] - film.thinned - film.fit.impacts.size() -
-           film.fit.left_out;
-}
-
-Settings counts_of(const studies::FilmFit& film) {
-    Settings counts;
-    for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        counts.emplace_back(std::string(studies::names_of(KinkUse{static_cast<int>(use)}).key),
-                            static_cast<std::int64_t>(film.counts[use]));
-    counts.emplace_back("thinned", static_cast<std::int64_t>(film.thinned));
-    counts.emplace_back("alike", static_cast<std::int64_t>(repeats_of(film)));
-    return counts;
 }
 
 Settings film_settings(const FilmReport& report) {
@@ -236,18 +219,7 @@ void print_film(const FilmReport& report) {
                    : "");
     fmt::print("{}\n", wrapped(fmt::format("  floor's drag    {}", drag_in_words(film)), 18));
     fmt::print("  spin's drag     {}\n", spin_drag_in_words(film));
-    std::vector<std::string> reasons;
-    for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        if (film.counts[use] > 0)
-            reasons.push_back(
-                fmt::format("{} {}", film.counts[use], studies::names_of(KinkUse{static_cast<int>(use)}).words));
-    if (repeats_of(film) > 0) reasons.push_back(fmt::format("{} like others, in their means", repeats_of(film)));
-    if (film.thinned > 0) reasons.push_back(fmt::format("{} thinned", film.thinned));
-    const std::string left_out = reasons.empty() ? "" : fmt::format("; left out: {}", fmt::join(reasons, ", "));
-    if (film.noisier > 0)
-        fmt::print("  as much noise   again moves e by {:.2g}, mu by {:.2g} ({} films)\n", film.restitution_shift,
-                   film.friction_shift, film.noisier);
-    fmt::print("{}\n", wrapped(fmt::format("  used            {} impacts{}", film.fit.impacts.size(), left_out), 18));
+    print_used(film);
 }
 
 void print_commands(const FilmReport& report) {

@@ -16,11 +16,15 @@ namespace {
 constexpr double first_line = 3, between_lines = 10, shortest_between = 3;  // seconds
 constexpr double worth_a_line = 0.1;                                        // share of the whole
 
-/// "12 s", "4 min", "2.5 h": two digits are what an estimate is good for.
+constexpr double minute = 60, hour = 3600, day = 24 * hour, year = 365 * day;
+
+/// "12 s", "4 min", "2.5 h", "3 days": two digits are what an estimate is good for.
 std::string duration_in_words(double seconds) {
     if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
+    if (seconds < 100 * minute) return fmt::format("{:.0f} min", seconds / minute);
+    if (seconds < 2 * day) return fmt::format("{:.1f} h", seconds / hour);
+    if (seconds < 2 * year) return fmt::format("{:.0f} days", seconds / day);
+    return fmt::format("{:.2g} years", seconds / year);
 }
 
 }  // namespace

@@ -119,9 +119,9 @@ Table<ModeRow> mode_table(const std::string& along, bool branches) {
             "branch's end", "  {:<14}"));
     table.fields.push_back(
         F{"end_at", at(&BranchEnd::parameter), "1", "parameter " + along + " there"}.shown("at", " {:>11.8g}"));
-    table.fields.push_back(
-        F{"delay", at(&BranchEnd::delay), "1", "how far beyond it the mode was left; < 0: before"}.shown("delay",
-                                                                                                         " {:>9.2e}"));
+    table.fields.push_back(F{"delay", at(&BranchEnd::delay), "1",
+                             "how far beyond it the mode was left; < 0: before; NaN: the branch goes on"}
+                               .shown("delay", " {:>9.2e}"));
     table.fields.push_back(F{"predicted_delay", at(&BranchEnd::predicted), "1",
                              "of a fold, to first order, where a round moves by the tolerance"}
                                .shown("predicted", " {:>9.2e}"));
@@ -219,7 +219,10 @@ void print_ramp(const RampOptions& options, const RampResult& result) {
     std::vector<RampWindow> windows;
     for (std::size_t i = 0; i < result.ramp.windows.size(); i += every) windows.push_back(result.ramp.windows[i]);
     fmt::print("{}", units_in_words(units));
-    print_table(in_units(window_table(along, settings.scene.is_disk()), units), windows);
+    if (windows.empty())
+        fmt::print("no window was finished\n");
+    else
+        print_table(in_units(window_table(along, settings.scene.is_disk()), units), windows);
     if (every > 1) fmt::print("one in {} of {} windows is listed (--json, -o)\n", every, result.ramp.windows.size());
     if (!result.ramp.modes.empty()) {
         fmt::print("modes that were kept:\n");

@@ -28,14 +28,14 @@ struct ElementFormat {
 ElementFormat format_of(ElementType type) {
     switch (type) {
         case ElementType::float64:
-            return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 8};
+            return {hdf5::api().H5T_IEEE_F64LE_g, hdf5::api().H5T_NATIVE_DOUBLE_g, 8};
         case ElementType::int64:
-            return {H5T_STD_I64LE, H5T_NATIVE_INT64, 8};
+            return {hdf5::api().H5T_STD_I64LE_g, hdf5::api().H5T_NATIVE_INT64_g, 8};
         case ElementType::int32:
-            return {H5T_STD_I32LE, H5T_NATIVE_INT32, 4};
+            return {hdf5::api().H5T_STD_I32LE_g, hdf5::api().H5T_NATIVE_INT32_g, 4};
         case ElementType::uint8:
         case ElementType::boolean:
-            return {H5T_STD_U8LE, H5T_NATIVE_UINT8, 1};
+            return {hdf5::api().H5T_STD_U8LE_g, hdf5::api().H5T_NATIVE_UINT8_g, 1};
         case ElementType::string:
             break;
     }
@@ -63,32 +63,32 @@ std::size_t bytes_per_row(const std::vector<std::uint64_t>& shape, std::size_t e
 }
 
 hdf5::Properties creation_properties(const std::vector<hsize_t>& chunk) {
-    hdf5::Properties properties(H5Pcreate(H5P_DATASET_CREATE));
-    H5Pset_obj_track_times(properties.id(), false);
+    hdf5::Properties properties(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_DATASET_CREATE_ID_g));
+    hdf5::api().H5Pset_obj_track_times(properties.id(), false);
     if (!chunk.empty()) {
-        H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
-        H5Pset_shuffle(properties.id());
-        H5Pset_deflate(properties.id(), deflate_level);
+        hdf5::api().H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
+        hdf5::api().H5Pset_shuffle(properties.id());
+        hdf5::api().H5Pset_deflate(properties.id(), deflate_level);
     }
     return properties;
 }
 
 hdf5::Properties link_properties() {
-    hdf5::Properties properties(H5Pcreate(H5P_LINK_CREATE));
-    H5Pset_char_encoding(properties.id(), H5T_CSET_UTF8);
+    hdf5::Properties properties(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_LINK_CREATE_ID_g));
+    hdf5::api().H5Pset_char_encoding(properties.id(), H5T_CSET_UTF8);
     return properties;
 }
 
 // Chunks are written whole, once: nothing to cache.
 hdf5::Properties access_properties() {
-    hdf5::Properties properties(H5Pcreate(H5P_DATASET_ACCESS));
-    H5Pset_chunk_cache(properties.id(), 0, 0, 1.0);
+    hdf5::Properties properties(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_DATASET_ACCESS_ID_g));
+    hdf5::api().H5Pset_chunk_cache(properties.id(), 0, 0, 1.0);
     return properties;
 }
 
 hdf5::Dataspace dataspace(const std::vector<hsize_t>& extent, const std::vector<hsize_t>& limit) {
-    if (extent.empty()) return hdf5::Dataspace(H5Screate(H5S_SCALAR));
-    return hdf5::Dataspace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), limit.data()));
+    if (extent.empty()) return hdf5::Dataspace(hdf5::api().H5Screate(H5S_SCALAR));
+    return hdf5::Dataspace(hdf5::api().H5Screate_simple(static_cast<int>(extent.size()), extent.data(), limit.data()));
 }
 
 }  // namespace
@@ -141,9 +141,10 @@ void ColumnStore::create(bool whole) {
     const hdf5::Properties creation = creation_properties(empty ? std::vector<hsize_t>{} : chunk_);
     const hdf5::Properties link = link_properties();
     const hdf5::Properties access = access_properties();
-    dataset_ = hdf5::Dataset(hdf5::check(H5Dcreate2(group_, layout_.name.c_str(), format_of(layout_.type).stored,
-                                                    space.id(), link.id(), creation.id(), access.id()),
-                                         action(), layout_.file));
+    dataset_ =
+        hdf5::Dataset(hdf5::check(hdf5::api().H5Dcreate2(group_, layout_.name.c_str(), format_of(layout_.type).stored,
+                                                         space.id(), link.id(), creation.id(), access.id()),
+                                  action(), layout_.file));
     describe();
 }
 
@@ -173,19 +174,19 @@ void ColumnStore::write_buffer() {
     std::vector<hsize_t> offset(extent.size(), 0);
     if (grows()) {
         extent[0] = written_rows_ + new_rows;
-        hdf5::check(H5Dset_extent(dataset_.id(), extent.data()), action(), layout_.file);
+        hdf5::check(hdf5::api().H5Dset_extent(dataset_.id(), extent.data()), action(), layout_.file);
     }
-    const hdf5::Dataspace target(H5Dget_space(dataset_.id()));
-    std::vector<hsize_t> count = extent;
+    const hdf5::Dataspace target(hdf5::api().H5Dget_space(dataset_.id()));
+    std::vector<hsize_t> count(layout_.shape.begin(), layout_.shape.end());
     if (!count.empty()) {
         offset[0] = written_rows_;
         count[0] = new_rows;
-        H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
+        hdf5::api().H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     }
     const hdf5::Dataspace source = dataspace(count, count);
-    hdf5::check(
-        H5Dwrite(dataset_.id(), format_of(layout_.type).memory, source.id(), target.id(), H5P_DEFAULT, buffer_.data()),
-        action(), layout_.file);
+    hdf5::check(hdf5::api().H5Dwrite(dataset_.id(), format_of(layout_.type).memory, source.id(), target.id(),
+                                     H5P_DEFAULT, buffer_.data()),
+                action(), layout_.file);
     written_rows_ += new_rows;
     buffer_.clear();
 }
@@ -205,12 +206,12 @@ void ColumnStore::write_strings(std::span<const std::string> values) {
     const hdf5::Dataspace space = dataspace(extent, extent);
     const hdf5::Properties creation = creation_properties({});
     const hdf5::Properties link = link_properties();
-    dataset_ = hdf5::Dataset(hdf5::check(
-        H5Dcreate2(group_, layout_.name.c_str(), type.id(), space.id(), link.id(), creation.id(), H5P_DEFAULT),
-        action(), layout_.file));
+    dataset_ = hdf5::Dataset(hdf5::check(hdf5::api().H5Dcreate2(group_, layout_.name.c_str(), type.id(), space.id(),
+                                                                link.id(), creation.id(), H5P_DEFAULT),
+                                         action(), layout_.file));
     if (!texts.empty()) {
-        hdf5::check(H5Dwrite(dataset_.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), action(),
-                    layout_.file);
+        hdf5::check(hdf5::api().H5Dwrite(dataset_.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()),
+                    action(), layout_.file);
     }
     describe();
     written_rows_ = extent.empty() ? 1 : extent[0];

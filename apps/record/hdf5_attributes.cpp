@@ -26,23 +26,23 @@ struct Target {
 
 void create(const Target& target, hid_t stored, hid_t memory, hid_t space, const void* data) {
     const std::string action = target.action("write");
-    const Properties properties(H5Pcreate(H5P_ATTRIBUTE_CREATE));
-    H5Pset_char_encoding(properties.id(), H5T_CSET_UTF8);
+    const Properties properties(api().H5Pcreate(api().H5P_CLS_ATTRIBUTE_CREATE_ID_g));
+    api().H5Pset_char_encoding(properties.id(), H5T_CSET_UTF8);
     const Attribute attribute(
-        check(H5Acreate2(target.object, target.name.c_str(), stored, space, properties.id(), H5P_DEFAULT), action,
+        check(api().H5Acreate2(target.object, target.name.c_str(), stored, space, properties.id(), H5P_DEFAULT), action,
               target.file));
     // HDF5 takes the null pointer of an empty list for a mistake.
-    if (data != nullptr) check(H5Awrite(attribute.id(), memory, data), action, target.file);
+    if (data != nullptr) check(api().H5Awrite(attribute.id(), memory, data), action, target.file);
 }
 
 void create_scalar(const Target& target, hid_t stored, hid_t memory, const void* data) {
-    const Dataspace space(H5Screate(H5S_SCALAR));
+    const Dataspace space(api().H5Screate(H5S_SCALAR));
     create(target, stored, memory, space.id(), data);
 }
 
 void create_list(const Target& target, hid_t stored, hid_t memory, std::size_t size, const void* data) {
     const hsize_t extent = size;
-    const Dataspace space(H5Screate_simple(1, &extent, nullptr));
+    const Dataspace space(api().H5Screate_simple(1, &extent, nullptr));
     create(target, stored, memory, space.id(), data);
 }
 
@@ -51,21 +51,27 @@ struct Writer {
 
     void operator()(bool value) const {
         const std::uint8_t byte = value ? 1 : 0;
-        create_scalar(target, H5T_STD_U8LE, H5T_NATIVE_UINT8, &byte);
+        create_scalar(target, api().H5T_STD_U8LE_g, api().H5T_NATIVE_UINT8_g, &byte);
     }
-    void operator()(std::int64_t value) const { create_scalar(target, H5T_STD_I64LE, H5T_NATIVE_INT64, &value); }
-    void operator()(std::uint64_t value) const { create_scalar(target, H5T_STD_U64LE, H5T_NATIVE_UINT64, &value); }
-    void operator()(double value) const { create_scalar(target, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value); }
+    void operator()(std::int64_t value) const {
+        create_scalar(target, api().H5T_STD_I64LE_g, api().H5T_NATIVE_INT64_g, &value);
+    }
+    void operator()(std::uint64_t value) const {
+        create_scalar(target, api().H5T_STD_U64LE_g, api().H5T_NATIVE_UINT64_g, &value);
+    }
+    void operator()(double value) const {
+        create_scalar(target, api().H5T_IEEE_F64LE_g, api().H5T_NATIVE_DOUBLE_g, &value);
+    }
     void operator()(const std::string& value) const {
         const Datatype type = string_type();
         const char* text = value.c_str();
         create_scalar(target, type.id(), type.id(), &text);
     }
     void operator()(const std::vector<std::int64_t>& values) const {
-        create_list(target, H5T_STD_I64LE, H5T_NATIVE_INT64, values.size(), values.data());
+        create_list(target, api().H5T_STD_I64LE_g, api().H5T_NATIVE_INT64_g, values.size(), values.data());
     }
     void operator()(const std::vector<double>& values) const {
-        create_list(target, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
+        create_list(target, api().H5T_IEEE_F64LE_g, api().H5T_NATIVE_DOUBLE_g, values.size(), values.data());
     }
     void operator()(const std::vector<std::string>& values) const {
         const Datatype type = string_type();
@@ -79,7 +85,7 @@ struct Writer {
 template <class T>
 std::vector<T> read_numbers(const Attribute& attribute, hid_t memory, std::size_t size, const Target& target) {
     std::vector<T> values(size);
-    if (size > 0) check(H5Aread(attribute.id(), memory, values.data()), target.action("read"), target.file);
+    if (size > 0) check(api().H5Aread(attribute.id(), memory, values.data()), target.action("read"), target.file);
     return values;
 }
 
@@ -87,11 +93,11 @@ std::vector<std::string> read_texts(const Attribute& attribute, hid_t space, std
     if (size == 0) return {};
     std::vector<char*> texts(size, nullptr);
     const Datatype type = string_type();
-    check(H5Aread(attribute.id(), type.id(), texts.data()), target.action("read"), target.file);
+    check(api().H5Aread(attribute.id(), type.id(), texts.data()), target.action("read"), target.file);
     std::vector<std::string> values;
     values.reserve(size);
     for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
-    H5Dvlen_reclaim(type.id(), space, H5P_DEFAULT, texts.data());
+    api().H5Dvlen_reclaim(type.id(), space, H5P_DEFAULT, texts.data());
     return values;
 }
 
@@ -103,12 +109,12 @@ AttributeValue one_or_all(std::vector<T> values, bool scalar) {
 
 AttributeValue read_integers(const Attribute& attribute, hid_t type, std::size_t size, bool scalar,
                              const Target& target) {
-    if (scalar && H5Tget_size(type) == 1)
-        return read_numbers<std::uint8_t>(attribute, H5T_NATIVE_UINT8, 1, target)[0] != 0;
-    if (scalar && H5Tget_size(type) == 8 && H5Tget_sign(type) == H5T_SGN_NONE) {
-        return read_numbers<std::uint64_t>(attribute, H5T_NATIVE_UINT64, 1, target)[0];
+    if (scalar && api().H5Tget_size(type) == 1)
+        return read_numbers<std::uint8_t>(attribute, api().H5T_NATIVE_UINT8_g, 1, target)[0] != 0;
+    if (scalar && api().H5Tget_size(type) == 8 && api().H5Tget_sign(type) == H5T_SGN_NONE) {
+        return read_numbers<std::uint64_t>(attribute, api().H5T_NATIVE_UINT64_g, 1, target)[0];
     }
-    return one_or_all(read_numbers<std::int64_t>(attribute, H5T_NATIVE_INT64, size, target), scalar);
+    return one_or_all(read_numbers<std::int64_t>(attribute, api().H5T_NATIVE_INT64_g, size, target), scalar);
 }
 
 }  // namespace
@@ -120,28 +126,28 @@ void write_attribute(hid_t object, const std::string& name, const AttributeValue
 
 void write_integers(hid_t object, const std::string& name, const std::vector<std::int64_t>& values, hid_t stored,
                     const std::string& file) {
-    create_list({object, name, file}, stored, H5T_NATIVE_INT64, values.size(), values.data());
+    create_list({object, name, file}, stored, api().H5T_NATIVE_INT64_g, values.size(), values.data());
 }
 
 AttributeValue read_attribute(hid_t object, const std::string& name, const std::string& file) {
     const Target target{object, name, file};
     const std::string action = target.action("read");
     if (!has_attribute(object, name)) throw RecordError(action, file, "there is none of that name");
-    const Attribute attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), action, file));
-    const Datatype type(check(H5Aget_type(attribute.id()), action, file));
-    const Dataspace space(check(H5Aget_space(attribute.id()), action, file));
-    const auto size = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id()), action, file));
+    const Attribute attribute(check(api().H5Aopen(object, name.c_str(), H5P_DEFAULT), action, file));
+    const Datatype type(check(api().H5Aget_type(attribute.id()), action, file));
+    const Dataspace space(check(api().H5Aget_space(attribute.id()), action, file));
+    const auto size = static_cast<std::size_t>(check(api().H5Sget_simple_extent_npoints(space.id()), action, file));
     std::error_code unknown;  // a damaged size must not claim the machine's memory
     if (const auto bytes = std::filesystem::file_size(file, unknown); !unknown && size > bytes)
         throw RecordError(action, file, fmt::format("it claims {} values in a file of {} bytes", size, bytes));
-    const bool scalar = H5Sget_simple_extent_type(space.id()) == H5S_SCALAR;
-    switch (H5Tget_class(type.id())) {
+    const bool scalar = api().H5Sget_simple_extent_type(space.id()) == H5S_SCALAR;
+    switch (api().H5Tget_class(type.id())) {
         case H5T_FLOAT:
-            return one_or_all(read_numbers<double>(attribute, H5T_NATIVE_DOUBLE, size, target), scalar);
+            return one_or_all(read_numbers<double>(attribute, api().H5T_NATIVE_DOUBLE_g, size, target), scalar);
         case H5T_INTEGER:
             return read_integers(attribute, type.id(), size, scalar, target);
         case H5T_STRING:
-            if (H5Tis_variable_str(type.id()) > 0)
+            if (api().H5Tis_variable_str(type.id()) > 0)
                 return one_or_all(read_texts(attribute, space.id(), size, target), scalar);
             break;
         default:
@@ -151,7 +157,7 @@ AttributeValue read_attribute(hid_t object, const std::string& name, const std::
 }
 
 bool has_attribute(hid_t object, const std::string& name) {
-    return H5Aexists(object, name.c_str()) > 0;
+    return api().H5Aexists(object, name.c_str()) > 0;
 }
 
 std::vector<std::string> attribute_names(hid_t object) {
@@ -161,7 +167,7 @@ std::vector<std::string> attribute_names(hid_t object) {
         return 0;
     };
     hsize_t index = 0;
-    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &index, keep, &names);
+    api().H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &index, keep, &names);
     return names;
 }
 

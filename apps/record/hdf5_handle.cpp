@@ -7,7 +7,7 @@ namespace swirl::apps {
 
 bool hdf5_is_safe_in_threads() {
     hbool_t is_safe = false;
-    return H5is_library_threadsafe(&is_safe) >= 0 && is_safe;
+    return hdf5::api().H5is_library_threadsafe(&is_safe) >= 0 && is_safe;
 }
 
 }  // namespace swirl::apps
@@ -15,10 +15,7 @@ bool hdf5_is_safe_in_threads() {
 namespace swirl::apps::hdf5 {
 
 void prepare() {
-    // Once a file could not be closed (full disk), HDF5 1.10 tries again at exit and crashes. Every handle here closes
-    // itself, so nothing is left for exit to do. Only the first call counts, the others are refused without harm.
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    api().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 std::string reason() {
@@ -27,7 +24,7 @@ std::string reason() {
         if (n == 0 && error->desc != nullptr) *static_cast<std::string*>(target) = error->desc;
         return 0;
     };
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
+    api().H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
     // "file write failed: time = ..., errno = 28, error message = 'No space left on device', buf = ..."
     constexpr std::string_view quote = "error message = '";
     if (const auto begin = text.find(quote); begin != std::string::npos) {
@@ -49,9 +46,9 @@ template long check<long>(long, std::string_view, std::string_view);
 template long long check<long long>(long long, std::string_view, std::string_view);
 
 Datatype string_type() {
-    Datatype type(H5Tcopy(H5T_C_S1));
-    H5Tset_size(type.id(), H5T_VARIABLE);
-    H5Tset_cset(type.id(), H5T_CSET_UTF8);
+    Datatype type(api().H5Tcopy(api().H5T_C_S1_g));
+    api().H5Tset_size(type.id(), H5T_VARIABLE);
+    api().H5Tset_cset(type.id(), H5T_CSET_UTF8);
     return type;
 }
 

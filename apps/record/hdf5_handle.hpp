@@ -1,8 +1,6 @@
 #pragma once
 
-// Internal to apps/record: with the .cpp files beside it, the only place that sees HDF5's C API.
-#include <hdf5.h>
-#include <hdf5_hl.h>
+#include "apps/record/hdf5_api.hpp"
 
 #include <string>
 #include <string_view>
@@ -11,7 +9,7 @@
 namespace swirl::apps::hdf5 {
 
 /// Owns an HDF5 identifier. `Close` is the H5?close function of its kind.
-template <herr_t (*Close)(hid_t)>
+template <herr_t (*Api::*Close)(hid_t)>
 class Handle {
 public:
     Handle() = default;
@@ -26,7 +24,7 @@ public:
     /// Negative when closing failed (data that could not be written show up here).
     herr_t close() {
         const hid_t id = std::exchange(id_, H5I_INVALID_HID);
-        return id >= 0 ? Close(id) : 0;
+        return id >= 0 ? (api().*Close)(id) : 0;
     }
     /// Leaves it open in the library for good.
     void abandon() { id_ = H5I_INVALID_HID; }
@@ -37,17 +35,16 @@ private:
     hid_t id_ = H5I_INVALID_HID;
 };
 
-using File = Handle<H5Fclose>;
-using Group = Handle<H5Gclose>;
-using Dataset = Handle<H5Dclose>;
-using Dataspace = Handle<H5Sclose>;
-using Datatype = Handle<H5Tclose>;
-using Attribute = Handle<H5Aclose>;
-using Object = Handle<H5Oclose>;
-using Properties = Handle<H5Pclose>;
+using File = Handle<&Api::H5Fclose>;
+using Group = Handle<&Api::H5Gclose>;
+using Dataset = Handle<&Api::H5Dclose>;
+using Dataspace = Handle<&Api::H5Sclose>;
+using Datatype = Handle<&Api::H5Tclose>;
+using Attribute = Handle<&Api::H5Aclose>;
+using Object = Handle<&Api::H5Oclose>;
+using Properties = Handle<&Api::H5Pclose>;
 
-/// Before the first call of HDF5 and of every file: turns its own printing of errors off, for this thread (every
-/// failure becomes a RecordError instead), and its clearing up at exit.
+/// Before every file: turns HDF5's own printing of errors off, for this thread; every failure becomes a RecordError.
 void prepare();
 
 /// The innermost message of HDF5's error stack; where it quotes the system's message, that alone.

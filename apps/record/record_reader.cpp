@@ -36,16 +36,16 @@ struct RecordReader::OpenFile {
 
     [[nodiscard]] hdf5::Object open(const std::string& path) const {
         const std::string action = fmt::format("cannot read '{}' of record", path);
-        if (path.empty() || (path != "/" && H5Oexists_by_name(file.id(), path.c_str(), H5P_DEFAULT) <= 0)) {
+        if (path.empty() || (path != "/" && hdf5::api().H5Oexists_by_name(file.id(), path.c_str(), H5P_DEFAULT) <= 0)) {
             throw RecordError(action, name, "there is nothing of that name");
         }
-        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), action, name));
+        return hdf5::Object(hdf5::check(hdf5::api().H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), action, name));
     }
 
     // Throws when `path` is not of the wanted kind.
     [[nodiscard]] hdf5::Object open(const std::string& path, H5I_type_t kind) const {
         hdf5::Object object = open(path);
-        if (H5Iget_type(object.id()) != kind) {
+        if (hdf5::api().H5Iget_type(object.id()) != kind) {
             throw RecordError(fmt::format("cannot read '{}' of record", path), name,
                               kind == H5I_GROUP ? "it is not a group" : "it is not a dataset");
         }
@@ -69,14 +69,14 @@ void require_hdf5(const std::string& name) {
     if (const PosixFile probe(::open(name.c_str(), O_RDONLY | O_CLOEXEC)); probe.descriptor() < 0) {
         throw RecordError(reading, name, system_reason());
     }
-    if (H5Fis_hdf5(name.c_str()) <= 0) throw RecordError(reading, name, "it is not an HDF5 file");
+    if (hdf5::api().H5Fis_hdf5(name.c_str()) <= 0) throw RecordError(reading, name, "it is not an HDF5 file");
 }
 
 hdf5::File open_file(const std::string& name) {
-    const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
+    const hdf5::Properties access(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_FILE_ACCESS_ID_g));
     // A record has its name only when it is whole, so reading needs no lock (and file systems without locks do).
-    H5Pset_file_locking(access.id(), false, true);
-    return hdf5::File(hdf5::check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), reading, name));
+    hdf5::api().H5Pset_file_locking(access.id(), false, true);
+    return hdf5::File(hdf5::check(hdf5::api().H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), reading, name));
 }
 
 std::vector<std::string> link_names(hid_t group, const std::string& path, const std::string& file) {
@@ -85,7 +85,7 @@ std::vector<std::string> link_names(hid_t group, const std::string& path, const 
         static_cast<std::vector<std::string>*>(target)->emplace_back(name);
         return 0;
     };
-    hdf5::check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names),
+    hdf5::check(hdf5::api().H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names),
                 fmt::format("cannot read group '{}' of record", path), file);
     return names;
 }
@@ -101,13 +101,13 @@ bool readable_as(ElementType stored, ElementType wanted) {
 hid_t memory_type(ElementType type) {
     switch (type) {
         case ElementType::float64:
-            return H5T_NATIVE_DOUBLE;
+            return hdf5::api().H5T_NATIVE_DOUBLE_g;
         case ElementType::int64:
-            return H5T_NATIVE_INT64;
+            return hdf5::api().H5T_NATIVE_INT64_g;
         case ElementType::int32:
-            return H5T_NATIVE_INT32;
+            return hdf5::api().H5T_NATIVE_INT32_g;
         default:
-            return H5T_NATIVE_UINT8;
+            return hdf5::api().H5T_NATIVE_UINT8_g;
     }
 }
 
@@ -142,13 +142,15 @@ Selection select(hid_t dataset, const Slab& slab, const std::string& path, const
         throw RecordError(hdf5::dataset_action(path), file,
                           fmt::format("offset [{}] and count [{}] lie outside its shape [{}]", fmt::join(offset, ", "),
                                       fmt::join(count, ", "), fmt::join(shape, ", ")));
-    Selection selection{hdf5::Dataspace(H5Dget_space(dataset)), {}, 1};
+    Selection selection{hdf5::Dataspace(hdf5::api().H5Dget_space(dataset)), {}, 1};
     selection.elements = product_of(count, path, file);
     if (count.empty()) {
-        selection.target = hdf5::Dataspace(H5Screate(H5S_SCALAR));
+        selection.target = hdf5::Dataspace(hdf5::api().H5Screate(H5S_SCALAR));
     } else {
-        selection.target = hdf5::Dataspace(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
-        H5Sselect_hyperslab(selection.source.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
+        selection.target =
+            hdf5::Dataspace(hdf5::api().H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
+        hdf5::api().H5Sselect_hyperslab(selection.source.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(),
+                                        nullptr);
     }
     return selection;
 }
@@ -165,7 +167,7 @@ std::vector<bool> as_bools(const std::vector<std::uint8_t>& bytes) {
 bool is_hdf5_file(const std::filesystem::path& file) {
     std::error_code unreadable;
     hdf5::prepare();
-    return std::filesystem::is_regular_file(file, unreadable) && H5Fis_hdf5(file.c_str()) > 0;
+    return std::filesystem::is_regular_file(file, unreadable) && hdf5::api().H5Fis_hdf5(file.c_str()) > 0;
 }
 
 RecordReader::RecordReader(const std::filesystem::path& path) {
@@ -217,8 +219,9 @@ std::vector<std::string> RecordReader::members(const std::string& group) const {
 
 std::vector<std::string> RecordReader::groups(const std::string& group) const {
     std::vector<std::string> names = members(group);
-    std::erase_if(
-        names, [&](const std::string& name) { return H5Iget_type(file_->open(group + "/" + name).id()) != H5I_GROUP; });
+    std::erase_if(names, [&](const std::string& name) {
+        return hdf5::api().H5Iget_type(file_->open(group + "/" + name).id()) != H5I_GROUP;
+    });
     return names;
 }
 
@@ -226,14 +229,15 @@ std::vector<std::string> RecordReader::datasets(const std::string& group) const 
     std::vector<std::string> names = members(group);
     std::erase_if(names, [&](const std::string& name) {
         const hdf5::Object member = file_->open(group + "/" + name);
-        return H5Iget_type(member.id()) != H5I_DATASET || hdf5::is_bare_scale(member.id());
+        return hdf5::api().H5Iget_type(member.id()) != H5I_DATASET || hdf5::is_bare_scale(member.id());
     });
     return names;
 }
 
 bool RecordReader::contains(const std::string& path) const {
     // HDF5 takes a missing group on the way for an error, and here it is an answer.
-    return path == "/" || (!path.empty() && H5Oexists_by_name(file_->file.id(), path.c_str(), H5P_DEFAULT) > 0);
+    return path == "/" ||
+           (!path.empty() && hdf5::api().H5Oexists_by_name(file_->file.id(), path.c_str(), H5P_DEFAULT) > 0);
 }
 
 std::vector<std::string> RecordReader::attributes(const std::string& object) const {
@@ -252,7 +256,7 @@ DatasetInfo RecordReader::info(const std::string& dataset) const {
     const hdf5::Object object = file_->open(dataset, H5I_DATASET);
     const hid_t id = object.id();
     DatasetInfo info{hdf5::element_type_of(id, dataset, file_->name), hdf5::shape_of(id, dataset, file_->name), {}, {}};
-    const bool coordinate = H5DSis_scale(id) > 0;
+    const bool coordinate = hdf5::api().H5DSis_scale(id) > 0;
     for (unsigned axis = 0; axis < info.shape.size(); ++axis) {
         info.dimensions.push_back(coordinate ? hdf5::last_component(dataset) : hdf5::dimension_name(id, axis));
     }
@@ -273,8 +277,8 @@ std::vector<T> RecordReader::read(const std::string& dataset, const Slab& slab) 
     const Selection selection = select(object.id(), slab, dataset, file_->name);
     std::vector<Stored> values(selection.elements);
     if (selection.elements == 0) return {};
-    hdf5::check(H5Dread(object.id(), memory_type(element_type<T>()), selection.target.id(), selection.source.id(),
-                        H5P_DEFAULT, values.data()),
+    hdf5::check(hdf5::api().H5Dread(object.id(), memory_type(element_type<T>()), selection.target.id(),
+                                    selection.source.id(), H5P_DEFAULT, values.data()),
                 hdf5::dataset_action(dataset), file_->name);
     if constexpr (std::same_as<T, bool>) return as_bools(values);
     if constexpr (!std::same_as<T, bool>) return values;
@@ -289,12 +293,12 @@ std::vector<std::string> RecordReader::read_strings(const std::string& dataset) 
     const hdf5::Datatype type = hdf5::string_type();
     if (selection.elements == 0) return {};
     std::vector<char*> texts(selection.elements, nullptr);
-    hdf5::check(H5Dread(object.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()),
+    hdf5::check(hdf5::api().H5Dread(object.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()),
                 hdf5::dataset_action(dataset), file_->name);
     std::vector<std::string> values;
     values.reserve(selection.elements);
     for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
-    H5Dvlen_reclaim(type.id(), selection.target.id(), H5P_DEFAULT, texts.data());
+    hdf5::api().H5Dvlen_reclaim(type.id(), selection.target.id(), H5P_DEFAULT, texts.data());
     return values;
 }
 

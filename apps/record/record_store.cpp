@@ -26,13 +26,14 @@ hdf5::File create_file(const OutputFile& output) {
     hdf5::prepare();
     // HDF5 2.2 aborts the process where the first bytes of a file find no room.
     output.find_room(first_bytes);
-    const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
-    H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-    H5Pset_file_locking(access.id(), false, true);
-    const hdf5::Properties creation(H5Pcreate(H5P_FILE_CREATE));
-    H5Pset_obj_track_times(creation.id(), false);
-    return hdf5::File(hdf5::check(H5Fcreate(output.partial_path().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()),
-                                  "cannot create record", output.name().string()));
+    const hdf5::Properties access(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_FILE_ACCESS_ID_g));
+    hdf5::api().H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+    hdf5::api().H5Pset_file_locking(access.id(), false, true);
+    const hdf5::Properties creation(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_FILE_CREATE_ID_g));
+    hdf5::api().H5Pset_obj_track_times(creation.id(), false);
+    return hdf5::File(
+        hdf5::check(hdf5::api().H5Fcreate(output.partial_path().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()),
+                    "cannot create record", output.name().string()));
 }
 
 // The words that xarray converts to datetime64/timedelta64 when they stand alone as units.
@@ -46,21 +47,21 @@ bool is_time_span_word(const std::string& units) {
 void make_bare_scale(hid_t group, const std::string& name, std::uint64_t size, const std::string& file) {
     const std::string action = fmt::format("cannot write dimension '{}' of record", name);
     const hsize_t extent = size;
-    const hdf5::Dataspace space(H5Screate_simple(1, &extent, nullptr));
-    const hdf5::Properties creation(H5Pcreate(H5P_DATASET_CREATE));
-    H5Pset_obj_track_times(creation.id(), false);
+    const hdf5::Dataspace space(hdf5::api().H5Screate_simple(1, &extent, nullptr));
+    const hdf5::Properties creation(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_DATASET_CREATE_ID_g));
+    hdf5::api().H5Pset_obj_track_times(creation.id(), false);
     // Never written, so it takes no room.
-    const hdf5::Dataset scale(hdf5::check(
-        H5Dcreate2(group, name.c_str(), H5T_IEEE_F32BE, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), action,
-        file));
+    const hdf5::Dataset scale(hdf5::check(hdf5::api().H5Dcreate2(group, name.c_str(), hdf5::api().H5T_IEEE_F32BE_g,
+                                                                 space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+                                          action, file));
     const std::string mark = fmt::format("This is a netCDF dimension but not a netCDF variable.{:10}", size);
-    hdf5::check(H5DSset_scale(scale.id(), mark.c_str()), action, file);
+    hdf5::check(hdf5::api().H5DSset_scale(scale.id(), mark.c_str()), action, file);
 }
 
 }  // namespace
 
 RecordStore::RecordStore(const std::filesystem::path& path) : output_(path), file_(create_file(output_)) {
-    groups_.push_back({"/", hdf5::Group(H5Gopen2(file_.id(), "/", H5P_DEFAULT)), {}, {}});
+    groups_.push_back({"/", hdf5::Group(hdf5::api().H5Gopen2(file_.id(), "/", H5P_DEFAULT)), {}, {}});
 }
 
 RecordStore::~RecordStore() {
@@ -101,12 +102,13 @@ std::string RecordStore::require_group(const std::string& parent_path, const std
         if (dimension.name == name) refuse(path, "is a dimension already");
     }
     if (has_object(parent, name)) refuse(path, "is a dataset already");
-    const hdf5::Properties creation(H5Pcreate(H5P_GROUP_CREATE));
-    H5Pset_obj_track_times(creation.id(), false);
-    const hdf5::Properties link(H5Pcreate(H5P_LINK_CREATE));
-    H5Pset_char_encoding(link.id(), H5T_CSET_UTF8);
-    hdf5::Group handle(hdf5::check(H5Gcreate2(parent.handle.id(), name.c_str(), link.id(), creation.id(), H5P_DEFAULT),
-                                   fmt::format("cannot write group '{}' of record", path), file_name()));
+    const hdf5::Properties creation(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_GROUP_CREATE_ID_g));
+    hdf5::api().H5Pset_obj_track_times(creation.id(), false);
+    const hdf5::Properties link(hdf5::api().H5Pcreate(hdf5::api().H5P_CLS_LINK_CREATE_ID_g));
+    hdf5::api().H5Pset_char_encoding(link.id(), H5T_CSET_UTF8);
+    hdf5::Group handle(
+        hdf5::check(hdf5::api().H5Gcreate2(parent.handle.id(), name.c_str(), link.id(), creation.id(), H5P_DEFAULT),
+                    fmt::format("cannot write group '{}' of record", path), file_name()));
     groups_.push_back({path, std::move(handle), {}, {}});
     return path;
 }
@@ -198,16 +200,16 @@ void RecordStore::label(Group& group, const Dimension& dimension) {
     if (coordinate == group.columns.end()) {
         make_bare_scale(group.handle.id(), dimension.name, final_size(group, dimension), file_name());
     } else {
-        hdf5::check(H5DSset_scale(coordinate->dataset(), dimension.name.c_str()), action, file_name());
+        hdf5::check(hdf5::api().H5DSset_scale(coordinate->dataset(), dimension.name.c_str()), action, file_name());
     }
     const hdf5::Dataset scale(
-        hdf5::check(H5Dopen2(group.handle.id(), dimension.name.c_str(), H5P_DEFAULT), action, file_name()));
+        hdf5::check(hdf5::api().H5Dopen2(group.handle.id(), dimension.name.c_str(), H5P_DEFAULT), action, file_name()));
     for (const ColumnStore& column : group.columns) {
         if (is_coordinate(column)) continue;
         const auto& names = column.layout().dimensions;
         for (std::size_t axis = 0; axis < names.size(); ++axis) {
             if (names[axis] != dimension.name) continue;
-            hdf5::check(H5DSattach_scale(column.dataset(), scale.id(), static_cast<unsigned>(axis)), action,
+            hdf5::check(hdf5::api().H5DSattach_scale(column.dataset(), scale.id(), static_cast<unsigned>(axis)), action,
                         file_name());
         }
     }
@@ -223,7 +225,7 @@ void RecordStore::finish() {
         for (const Dimension& dimension : group.dimensions) label(group, dimension);
     }
     groups_.clear();
-    hdf5::check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "cannot finish record", file_name());
+    hdf5::check(hdf5::api().H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "cannot finish record", file_name());
     hdf5::check(file_.close(), "cannot finish record", file_name());
     write_checksum(output_.descriptor(), output_.name());
     output_.commit();

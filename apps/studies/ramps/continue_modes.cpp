@@ -74,6 +74,7 @@ BranchEnd end_of(const RampSettings& settings, const SceneBranches& scene, const
                  const RampMode& mode, double p, const analysis::CyclePoints& cycle) {
     const Way way = way_from(scene, branch, p, cycle, mode.rising);
     BranchEnd end;
+    bool goes_on = false;  // beyond the range, whose end is no place to be left at
     end.delay = end.predicted = analysis::nan;
     if (const analysis::SpecialPoint* special = first_end(branch, way)) {
         end.kind = kind_of(*special);
@@ -83,11 +84,13 @@ BranchEnd end_of(const RampSettings& settings, const SceneBranches& scene, const
                 analysis::fold_delay(special->normal_form->parameter.real(), special->normal_form->nonlinear.real(),
                                      settings.rate() * mode.round, settings.period.tolerance / largest_part(*special));
     } else {
-        end.kind = name_of(way.forward ? branch.end : branch.begin);
+        const analysis::CurveEnd ending = way.forward ? branch.end : branch.begin;
+        goes_on = ending == analysis::CurveEnd::range;
+        end.kind = name_of(ending);
         const auto& last = way.forward ? branch.points.back() : branch.points.front();
         end.parameter = analysis::parameter_of(scene.options, last.at);
     }
-    if (mode.left) end.delay = (mode.rising ? 1 : -1) * (mode.left_at - end.parameter);
+    if (mode.left && !goes_on) end.delay = (mode.rising ? 1 : -1) * (mode.left_at - end.parameter);
     return end;
 }
 

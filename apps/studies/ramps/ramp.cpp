@@ -20,9 +20,7 @@ class Course {
 public:
     explicit Course(const RampSettings& settings) : settings_(settings) {}
 
-    std::int64_t way(double t) const {
-        return std::min(static_cast<std::int64_t>(t / settings_.duration), settings_.ways - 1);
-    }
+    std::int64_t way(double t) const { return part(t, settings_.duration, settings_.ways); }
     double at(double t) const {
         const std::int64_t now = way(t);
         const double done = std::min(t / settings_.duration - static_cast<double>(now), 1.0);
@@ -34,13 +32,16 @@ public:
     double length() const { return settings_.duration * static_cast<double>(settings_.ways); }
 
     /// Windows are numbered through all ways.
-    std::int64_t window(double t) const {
-        const auto all = settings_.windows * settings_.ways;
-        return std::min(static_cast<std::int64_t>(t / width()), all - 1);
-    }
+    std::int64_t window(double t) const { return part(t, width(), settings_.windows * settings_.ways); }
     double width() const { return settings_.duration / static_cast<double>(settings_.windows); }
 
 private:
+    /// Which of `count` parts of equal duration holds t; a flight may end any number of parts beyond the last.
+    static std::int64_t part(double t, double duration, std::int64_t count) {
+        const double number = t / duration;
+        return number < static_cast<double>(count) ? static_cast<std::int64_t>(number) : count - 1;
+    }
+
     const RampSettings& settings_;
 };
 

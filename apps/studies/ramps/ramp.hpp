@@ -109,7 +109,7 @@ Ramp run_ramp(const RampSettings& settings, const Start<double>& start, const Ru
 struct BranchEnd {
     std::string kind;      ///< of the special point, or why the branch ends (`range`); empty: no branch was found
     double parameter = 0;  ///< NaN without
-    double delay = 0;      ///< how far beyond it the mode was left; < 0: before it
+    double delay = 0;      ///< how far beyond it the mode was left; < 0: before it; NaN: not left, or `range`
     double predicted = 0;  ///< by fold_delay with the tolerance, of a fold with a normal form; else NaN
 };
 

@@ -125,6 +125,22 @@ class Command(InFolder):
             self.assertNotIn(found["along"].replace("-", "_"), found["scene"])
             self.assertEqual([window["way"] for window in found["windows"]], [0] * 4 + [1] * 4)
 
+    def test_one_that_is_over_within_a_flight_has_one_way(self):
+        """The flight ends 1e18 ways' durations later."""
+        found = document(f"ramp {STEADY} --along beta=0.5:0.51 --rate 1e16 --transient 10")
+        self.assertEqual([(window["way"], window["impacts"]) for window in found["windows"]], [(0, 1)])
+
+    def test_a_branch_that_goes_on_beyond_the_range_is_no_end_to_be_late_at(self):
+        """With a tolerance below what the ramp moves the mode by in a round it is left, and its branch does not end."""
+        found = document(f"ramp {SCENE} --along beta=0.42:0.45 --rate 1e-3 --tolerance 1e-4 --windows 4 --branches")
+        mode = found["modes"][0]
+        self.assertIsNotNone(mode["left_at"])
+        self.assertEqual((mode["end"], mode["delay"]), ("range", None))
+
+    def test_without_a_window_that_is_said(self):
+        table = run("ramp --sides disk --alpha 0.3 --mu 0.5 --restitution 0.5 --along beta=0.1:0.2 --rate 1e-3").stdout
+        self.assertIn("no window was finished\nin-contact; 0 impacts", table)
+
     def test_what_can_not_change_is_refused_with_the_reason(self):
         for along, reason in (("alpha=0.3:0.4", "vertices"), ("sides=3:4", "no number that changes continuously"), ("law=1:2", "continuously"),
                               ("inertia-factor=0.4:0.5", "the body"), ("swirl-rate=1:2", "unit of time"), ("gamma=0:1", "none of"),

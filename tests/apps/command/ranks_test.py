@@ -188,7 +188,7 @@ class Library(InFolder):
 
     def test_the_program_itself_is_linked_with_none_of_it(self):
         needed = subprocess.run(["ldd", SWIRL], capture_output=True, text=True, check=True).stdout
-        self.assertIn("libhdf5", needed)
+        self.assertIn("libfftw3", needed)
         self.assertNotIn("mpi", needed)
 
     def test_where_it_is_missing_or_none_that_is_said(self):

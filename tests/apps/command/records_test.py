@@ -19,7 +19,7 @@ import matplotlib
 import numpy
 import xarray
 
-from driving import document, run
+from driving import SWIRL, document, run
 from records_of_commands import RECORDS, records_in
 
 matplotlib.use("Agg")
@@ -52,6 +52,13 @@ class Records(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.kinds = dict(records_in(folder.name))
         cls.records = list(cls.kinds)
+
+    def test_hdf5_is_no_library_that_the_program_starts_with(self):
+        """It brings some forty others, and takes longer to load than they all: the first record asks for it."""
+        libraries = subprocess.run(["ldd", SWIRL], capture_output=True, text=True, check=True).stdout
+        self.assertIn("libfftw3", libraries)
+        for name in ("libhdf5", "libcurl"):
+            self.assertNotIn(name, libraries)
 
     def columns(self):
         for record in self.records:

@@ -2,7 +2,6 @@
 
 import itertools
 import os
-import tempfile
 import weakref
 
 _folders = {}  # of this process: one that was forked has its own
@@ -14,6 +13,8 @@ _in_memory = "/dev/shm"
 def _folder():
     own = _folders.get(os.getpid())
     if own is None:
+        import tempfile  # most calls write none
+
         place = _in_memory if os.access(_in_memory, os.W_OK) else None
         own = _folders.setdefault(os.getpid(), tempfile.TemporaryDirectory(prefix="swirl-", dir=place))
     return own.name

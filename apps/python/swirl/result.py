@@ -1,6 +1,5 @@
 """What a command gives: its document with attributes, and its record as arrays and figures."""
 
-import html
 import json
 import keyword
 import os
@@ -215,10 +214,10 @@ class Result(Document):
         return f"<swirl.{self.command}: {'; '.join(parts)}>"
 
     def _repr_html_(self):
-        rows = "".join(f"<tr><th style='text-align:left'>{html.escape(k)}</th><td style='text-align:left'>{_cell(v)}</td></tr>"
+        rows = "".join(f"<tr><th style='text-align:left'>{_escaped(k)}</th><td style='text-align:left'>{_cell(v)}</td></tr>"
                        for k, v in self._data.items() if not _is_table(v))
         tables = "".join(_table(k, v) for k, v in self._data.items() if _is_table(v))
-        return f"<b>swirl {html.escape(self.command)}</b><table>{rows}</table>{tables}"
+        return f"<b>swirl {_escaped(self.command)}</b><table>{rows}</table>{tables}"
 
 
 def _groups_with_arrays(group, path):
@@ -235,18 +234,24 @@ def _is_table(value):
     return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
+def _escaped(text):
+    import html  # its table of entities is for notebooks alone
+
+    return html.escape(text)
+
+
 def _cell(value):
     if isinstance(value, dict):
-        return html.escape(", ".join(f"{k} {_short.repr(v)}" for k, v in value.items()))
-    return html.escape(_short.repr(value))
+        return _escaped(", ".join(f"{k} {_short.repr(v)}" for k, v in value.items()))
+    return _escaped(_short.repr(value))
 
 
 def _table(name, rows):
     keys = list(rows[0])
-    head = "".join(f"<th>{html.escape(k)}</th>" for k in keys)
+    head = "".join(f"<th>{_escaped(k)}</th>" for k in keys)
     body = "".join("<tr>" + "".join(f"<td>{_cell(row.get(k))}</td>" for k in keys) + "</tr>" for row in rows[:_shown_rows])
     more = f"<p>and {len(rows) - _shown_rows} more</p>" if len(rows) > _shown_rows else ""
-    return f"<details open><summary>{html.escape(name)}, {len(rows)}</summary><table><tr>{head}</tr>{body}</table>{more}</details>"
+    return f"<details open><summary>{_escaped(name)}, {len(rows)}</summary><table><tr>{head}</tr>{body}</table>{more}</details>"
 
 
 def _result_from(command, text, content, exit_code, messages):

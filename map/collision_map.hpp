@@ -35,9 +35,11 @@ public:
     using Number = T;
 
     ///   similar  as in `make_body`
-    /// @throws std::invalid_argument if a parameter is out of range, or the floor drags (map/dragged has that map)
+    /// @throws std::invalid_argument if a parameter is out of range, the floor drags (map/dragged has that map), or
+    /// corners are rounded (map/corners)
     explicit CollisionMap(const Scene<T>& scene, const Body<T>* similar = nullptr)
-        : scene_(without_drag(validated(scene), "this computation")), body_(make_body(scene, similar)) {}
+        : scene_(without_rounding(without_drag(validated(scene), "this computation"), "this computation")),
+          body_(make_body(scene, similar)) {}
 
     const Scene<T>& scene() const { return scene_; }
     const Body<T>& body() const { return body_; }

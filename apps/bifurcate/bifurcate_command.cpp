@@ -84,6 +84,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
     check_risk(options.risk, options.error, options.settings.exhaustive);
     if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
     const DiagramSettings settings = settings_of(options, along);
+    options.scene.require_inertia_along(settings.scene, along.parameter);
     for (const double value : {along.low, along.high}) {
         const Scene<double> scene = column_scene(settings, value);
         if (scene.is_disk() && options.observable == "chi") throw BadInput("observable = chi: a disk has none");

@@ -34,6 +34,8 @@ void require_same_scene(const RecordReader& record, const std::string& what, con
     if (record.has_attribute(group, "tangential_restitution") &&
         record.attribute<double>(group, "tangential_restitution") != 0)
         throw BadInput(fmt::format("{} has tangential restitution, to which curves are not extended", what));
+    if (record.has_attribute(group, "corner") && record.attribute<double>(group, "corner") != 0)
+        throw BadInput(fmt::format("{} has rounded corners, to which curves are not extended", what));
 }
 
 namespace {

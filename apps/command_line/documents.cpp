@@ -52,6 +52,7 @@ Settings scene_settings(const Scene<double>& scene) {
         settings.emplace_back("floor", std::string(name_of(scene.floor)));
     if (scene.tangential_restitution != 0)
         settings.emplace_back("tangential_restitution", scene.tangential_restitution);
+    if (scene.is_rounded()) settings.emplace_back("corner", scene.corner);
     return settings;
 }
 
@@ -135,7 +136,8 @@ std::string scene_in_words(const Scene<double>& scene) {
                                                               name_of(scene.floor), scene.drag, scene.turning_drag());
     const std::string returned =
         scene.tangential_restitution == 0 ? "" : fmt::format(", e_t {:g}", scene.tangential_restitution);
-    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}{}{}", body, scene.alpha,
+    const std::string corners = scene.is_rounded() ? fmt::format(" with corners of {:g}", scene.corner) : "";
+    return fmt::format("{}{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}{}{}", body, corners, scene.alpha,
                        scene.beta, scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor, floor,
                        returned);
 }

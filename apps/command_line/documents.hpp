@@ -25,9 +25,18 @@ using Settings = std::vector<std::pair<std::string, AttributeValue>>;
 Settings scene_settings(const Scene<double>& scene);
 
 /// All names that it uses, in its order.
-inline constexpr std::array<const char*, 11> scene_setting_names = {
-    "sides",          "alpha", "beta",      "mu",    "restitution",           "law",
-    "inertia_factor", "drag",  "spin_drag", "floor", "tangential_restitution"};
+inline constexpr std::array<const char*, 12> scene_setting_names = {"sides",
+                                                                    "alpha",
+                                                                    "beta",
+                                                                    "mu",
+                                                                    "restitution",
+                                                                    "law",
+                                                                    "inertia_factor",
+                                                                    "drag",
+                                                                    "spin_drag",
+                                                                    "floor",
+                                                                    "tangential_restitution",
+                                                                    "corner"};
 
 /// A start in the laboratory, on the section, or at random (speed, seed).
 Settings start_settings(const StartOptions& options, const Scene<double>& scene);

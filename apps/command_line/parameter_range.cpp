@@ -46,7 +46,8 @@ std::vector<std::string_view> names_over(RangesOver over) {
     std::vector<std::string_view> names;
     for (const Parameter parameter : all_parameters)
         if (over != RangesOver::plain_scenes ||
-            (parameter != Parameter::drag && parameter != Parameter::tangential_restitution))
+            (parameter != Parameter::drag && parameter != Parameter::tangential_restitution &&
+             parameter != Parameter::corner))
             names.push_back(name_of(parameter));
     return names;
 }
@@ -76,6 +77,8 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
         refuse(named, "this command is not extended to a floor that drags");
     if (along.parameter == Parameter::tangential_restitution && flag == "plane")
         refuse(named, "this command is not extended to tangential restitution");
+    if (along.parameter == Parameter::corner && flag == "plane")
+        refuse(named, "this command is not extended to rounded corners");
     if (is_list) {
         take_list(named, pieces_of(text, ',', equals + 1), along);
         return along;

@@ -28,7 +28,7 @@ struct SceneName {
     std::vector<std::string> words = {};  ///< that completion offers
 };
 
-const std::array<SceneName, 16> scene_names = {{
+const std::array<SceneName, 18> scene_names = {{
     {"sides", "N: 2 (a rod) to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
     {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
@@ -40,15 +40,18 @@ const std::array<SceneName, 16> scene_names = {{
     {"spin-drag", "gamma_r, its torque -gamma_r I S, in omega_s (default: as --drag)"},
     {"floor", "that drags: dish (default; it moves with the container) or table (at rest)", {"dish", "table"}},
     {"tangential-restitution", "e_t of a disk, 0 to 1: an impact that sticks returns u_t+ = -e_t u_t- (default 0)"},
-    {"container-radius", "R_c in m; with any of these five all that you give and read is in m, s, kg"},
+    {"corner", "r/R_c, radius of a polygon's rounded corners, 0 <= r < alpha (default 0; alpha is --sides disk)"},
+    {"container-radius", "R_c in m; with any of these six all that you give and read is in m, s, kg"},
     {"swirl-radius", "r_s in m, instead of --beta"},
     {"swirl-rate", "omega_s in rad/s (default 1); also with --series and --angle"},
     {"polygon-radius", "R_p in m, instead of --alpha"},
+    {"corner-radius", "r in m, instead of --corner"},
     {"mass", "m in kg (default 1)"},
 }};
 
 /// A ratio, and the length that may be given instead.
-constexpr std::pair<const char*, const char*> same_quantity[] = {{"alpha", "polygon-radius"}, {"beta", "swirl-radius"}};
+constexpr std::pair<const char*, const char*> same_quantity[] = {
+    {"alpha", "polygon-radius"}, {"beta", "swirl-radius"}, {"corner", "corner-radius"}};
 
 constexpr std::array<const char*, 9> start_names = {"x", "y", "vx", "vy", "angle", "spin", "point", "speed", "seed"};
 
@@ -172,6 +175,12 @@ void SceneOptions::refuse_rod() {
     throw BadInput("sides = 2: this command is not extended to the rod; 3 to 1000000, or disk, is wanted");
 }
 
+void SceneOptions::refuse_rounding() const {
+    const char* const given = has("corner") ? "corner" : "corner-radius";
+    throw BadInput(
+        fmt::format("{} = {}: this command is not extended to rounded corners; 0 is wanted", given, text(given, "0")));
+}
+
 void SceneOptions::refuse_tangential_restitution() const {
     throw BadInput(
         fmt::format("tangential-restitution = {}: this command is not extended to tangential restitution; 0 is wanted",
@@ -243,6 +252,15 @@ const std::string& SceneOptions::required(const std::string& name, const std::st
     throw BadInput(fmt::format("--{} is missing (or --{} with --container-radius)", instead, name));
 }
 
+void SceneOptions::require_inertia_along(const Scene<double>& scene, const std::optional<Parameter>& along) const {
+    const bool changes = along == Parameter::corner || (along == Parameter::alpha && scene.is_rounded());
+    if (!changes || has("inertia-factor")) return;
+    throw BadInput(
+        fmt::format("along {}: kappa of the uniform lamina with rounded corners changes with it; --inertia-factor K is "
+                    "wanted, which stays",
+                    name_of(*along)));
+}
+
 double SceneOptions::longest_flight(const std::optional<double>& given, double otherwise, double most) const {
     const auto own = units();
     const double time = given ? without_units(*given, own, "1/omega_s") : otherwise;
@@ -254,7 +272,8 @@ double SceneOptions::longest_flight(const std::optional<double>& given, double o
 
 std::optional<Units> SceneOptions::units() const {
     bool any = false;
-    for (const char* name : {"container-radius", "swirl-radius", "swirl-rate", "polygon-radius", "mass"})
+    for (const char* name :
+         {"container-radius", "swirl-radius", "swirl-rate", "polygon-radius", "corner-radius", "mass"})
         any = any || has(name);
     if (!any) return std::nullopt;
     Units units;

@@ -4,6 +4,7 @@
 #include "apps/command_line/flags.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "apps/output/units.hpp"
+#include "map/model/parameter.hpp"
 #include "map/model/scene.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +15,8 @@
 
 namespace swirl::apps {
 
-/// Does a command follow a body over a floor that drags, a disk whose sticking impacts return slip, and the rod? One
-/// that does not refuses such a scene.
+/// Does a command follow a body over a floor that drags, a disk whose sticking impacts return slip, the rod, and
+/// rounded corners? One that does not refuses such a scene.
 enum class Extensions { refused, followed };
 
 /// The texts that were given for the scene, by the names of the flags.
@@ -35,6 +36,12 @@ public:
 
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
+
+    /// The uniform lamina's κ with rounded corners changes with α and r; along one of these a command keeps the
+    /// scene's.
+    ///   along  the parameter that is varied, if it is one of the scene
+    /// @throws BadInput unless κ was given
+    void require_inertia_along(const Scene<double>& scene, const std::optional<Parameter>& along) const;
 
     /// --max-time in 1/ω_s, given in the user's units or not at all. @throws BadInput
     double longest_flight(const std::optional<double>& given, double otherwise, double most) const;
@@ -76,6 +83,8 @@ private:
     [[noreturn]] void refuse_drag() const;
     /// @throws BadInput: a command that does not know the rod
     [[noreturn]] static void refuse_rod();
+    /// @throws BadInput: a command that does not follow rounded corners
+    [[noreturn]] void refuse_rounding() const;
     /// @throws BadInput: a command that does not follow tangential restitution
     [[noreturn]] void refuse_tangential_restitution() const;
 
@@ -126,13 +135,15 @@ Scene<T> SceneOptions::scene(Extensions extensions) const {
     if (has("floor")) scene.floor = floor_from(values_.at("floor"));
     if (has("tangential-restitution"))
         scene.tangential_restitution = number_from<T>("tangential-restitution", values_.at("tangential-restitution"));
+    if (has("corner") || has("corner-radius")) scene.corner = ratio<T>("corner", "corner-radius");
     require_drag_of_floor();
     if (extensions == Extensions::refused && scene.has_drag()) refuse_drag();
     if (extensions == Extensions::refused && scene.tangential_restitution != T(0)) refuse_tangential_restitution();
     if (extensions == Extensions::refused && scene.is_rod()) refuse_rod();
+    if (extensions == Extensions::refused && scene.is_rounded()) refuse_rounding();
     if (scene.sides != disk_sides && (scene.sides < rod_sides || scene.sides > max_sides)) return validated(scene);
     scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))
-                                                 : uniform_inertia_factor<T>(scene.sides);
+                                                 : uniform_inertia_factor<T>(scene.sides, scene.alpha, scene.corner);
     return validated(scene);
 }
 

@@ -52,6 +52,8 @@ Beginning of_attractor(ContinueOptions& options) {
 Beginning beginning_of(ContinueOptions& options) {
     require_one_way(options);
     if (options.along.starts_with("drag=") && !options.scene.has("drag")) options.scene.set("drag", "0");
+    if (options.along.starts_with("corner=") && !options.scene.has("corner") && !options.scene.has("corner-radius"))
+        options.scene.set("corner", "0");
     if (!options.record.empty()) return of_record(options);
     if (options.from == from_attractor) return of_attractor(options);
     const auto scene = options.scene.scene<double>(Extensions::followed);

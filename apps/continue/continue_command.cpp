@@ -106,6 +106,7 @@ int continue_orbit(ContinueOptions& options) {
     const ParameterRange along = parameter_range_from(options.along, false, true);
     const Beginning beginning = beginning_of(options);
     const Scene<double>& scene = beginning.scene;
+    if (options.record.empty()) options.scene.require_inertia_along(scene, along.parameter);
     const Accuracy accuracy = options.output.accuracy();
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));

@@ -250,7 +250,7 @@ void require_same_plane(const RecordReader& map, const RecordReader& curves, con
     boundaries::require_same_scene(curves, fmt::format("record '{}'", file), "/scene", scene, axes);
 }
 
-/// The page's own map knows no drag, no tangential restitution and no rod.
+/// The page's own map knows no drag, no tangential restitution, no rod and no rounded corners.
 void require_page_scene(const RecordReader& record, const std::string& file) {
     const bool drags = record.contains("/sweep/drag") ||
                        text_in(attributes_in(record, "/settings"), "along") == "drag" ||
@@ -267,6 +267,10 @@ void require_page_scene(const RecordReader& record, const std::string& file) {
             fmt::format("record '{}' has tangential restitution, to which the map of a page is not extended", file));
     if (text_in(scene_in(record), "sides") == "2" || text_in(attributes_in(record, "/settings"), "sides") == "2")
         throw BadInput(fmt::format("record '{}' is of a rod, to which the map of a page is not extended", file));
+    if (record.contains("/sweep/corner") || text_in(attributes_in(record, "/settings"), "along") == "corner" ||
+        text_in(scene_in(record), "corner") || text_in(attributes_in(record, "/settings"), "corner"))
+        throw BadInput(
+            fmt::format("record '{}' has rounded corners, to which the map of a page is not extended", file));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     OrbitColumns columns;
     columns.scene = in_order(attributes_of(record, "/scene"),
                              {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag",
-                              "spin_drag", "floor", "tangential_restitution"});
+                              "spin_drag", "floor", "tangential_restitution", "corner"});
     columns.start = in_order(attributes_of(record, "/start"),
                              {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin", "psi", "chi", "vn", "vt", "S"});
     columns.units = in_order(attributes_of(record, "/units"), {"length", "time", "mass"});

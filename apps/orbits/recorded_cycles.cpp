@@ -28,7 +28,8 @@ Scene<double> scene_of(const RecordReader& record, const std::optional<Parameter
     scene.sides = sides_from(flag_text_of(record.attribute("/scene", "sides")).value_or(""));
     for (const Parameter parameter : all_parameters) {
         const std::string name = record_name(name_of(parameter));
-        const bool is_extension = parameter == Parameter::drag || parameter == Parameter::tangential_restitution;
+        const bool is_extension = parameter == Parameter::drag || parameter == Parameter::tangential_restitution ||
+                                  parameter == Parameter::corner;
         if (is_extension && parameter != moved && !record.has_attribute("/scene", name)) continue;
         const bool is_told = record.has_attribute("/scene", name) || parameter != moved || values.empty();
         number_of(scene, parameter) = is_told ? record.attribute<double>("/scene", name) : values.front();

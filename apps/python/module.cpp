@@ -85,6 +85,7 @@ public:
                      py::arg("law") = std::string(name_of(s.law)), py::arg("inertia_factor") = s.inertia_factor,
                      py::arg("units") = units);
         if (s.tangential_restitution != 0) all["tangential_restitution"] = s.tangential_restitution;
+        if (s.is_rounded()) all["corner"] = s.corner;
         if (!s.has_drag()) return all;
         all["drag"] = s.drag;
         all["spin_drag"] = s.turning_drag();

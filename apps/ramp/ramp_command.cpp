@@ -21,8 +21,8 @@ const char* const ramp_details =
 there and back K times: the hysteresis loop as a bench sees it. The parameter is linear in time; a flight has the value of
 the impact that it began with, so that it is behind by the rate times the flight's duration at most (`lag`).
 
-beta, mu, restitution, tangential-restitution and drag can be changed while the body moves. alpha, sides and inertia-factor
-change the body itself, and omega_s is the unit of time: these are refused.
+beta, mu, restitution, tangential-restitution and drag can be changed while the body moves. alpha, sides, corner and
+inertia-factor change the body itself, and omega_s is the unit of time: these are refused.
 
 Each way has N windows. Of each: the time mean of S with its standard error along the orbit (none where it drifts), and the
 period that it kept all through, by impacts, chatter that lands counted as one: k is kept where the orbit comes back to
@@ -104,6 +104,8 @@ RampSettings settings_of(RampOptions& options) {
     settings.accuracy = options.output.accuracy();
     settings.noise = options.noise.noise(options.start, options.output);
     if (settings.scene.has_drag()) options.output.require_double("it is not extended to a floor that drags");
+    if (settings.scene.is_rounded()) options.output.require_double("it is not extended to rounded corners");
+    if (settings.noise.is_any()) without_rounding(settings.scene, "noise at impacts");
     return settings;
 }
 

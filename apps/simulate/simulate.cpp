@@ -39,6 +39,7 @@ The outcome says how the orbit ended. All but the first exit with code 3, interr
                      overflow (an inertia factor far below rounding)
   unresolved         the search for one contact gave up, or no motion on the wall was consistent
   riding             --drag on a dish: the body goes along with it and never meets the wall again (proven)
+  contact-of-corner  --corner: a rounded corner came to stay on the wall; how it rolls or slides there is not followed
   interrupted        the user ended it
 
 --camera FPS writes what a tracker would make of a film of it: -o FILE.csv has a line a frame, the body's centre, a mark at
@@ -56,6 +57,7 @@ Examples:
   swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5
   swirl simulate --sides disk --alpha 0.3 --beta 0 --mu 1000 --restitution 1 --tangential-restitution 1 --x 0.1 --vy 0.8 --spin 2
   swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json
+  swirl simulate --sides 6 --alpha 0.4 --corner 0.05 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --noise-restitution 0.02 --noise-wall 0.01 --seed 2
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --time 300 --camera 5 --noise 0.002 --lose 0.01 -o film.csv)";
 
@@ -140,7 +142,7 @@ int simulate(SimulateOptions& options) {
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
     options.output.accuracy();  // a wrong name is reported before any work
-    options.noise.noise(options.start, options.output);
+    if (options.noise.noise(options.start, options.output).is_any()) without_rounding(scene, "noise at impacts");
     check_start(options, scene);
     note_interruptions();
 

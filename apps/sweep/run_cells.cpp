@@ -47,7 +47,7 @@ std::vector<RunColumn> run_columns() {
     return {
         {"run_mode", &RunResult::mode, "", "mode", names, modes},
         {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::riding)},
-        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_with_drag)},
+        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_of_corner)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "1", "time mean of S"},
         {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "1", "mean of S over impacts"},
@@ -79,10 +79,12 @@ void in_type_of(const RunColumn& column, const Use& use) {
 }  // namespace
 
 std::vector<std::string> outcome_names(std::span<const RunResult> results) {
-    const bool over_floor = std::any_of(results.begin(), results.end(), [](const RunResult& result) {
-        return result.outcome > static_cast<double>(Outcome::unresolved);
-    });
-    return names_up_to(over_floor ? Outcome::contact_with_drag : Outcome::unresolved);
+    const auto above = [&](Outcome outcome) {
+        return std::any_of(results.begin(), results.end(),
+                           [&](const RunResult& result) { return result.outcome > static_cast<double>(outcome); });
+    };
+    if (above(Outcome::contact_with_drag)) return names_up_to(Outcome::contact_of_corner);
+    return names_up_to(above(Outcome::unresolved) ? Outcome::contact_with_drag : Outcome::unresolved);
 }
 
 std::vector<std::string> kind_names(std::span<const RunResult> results) {

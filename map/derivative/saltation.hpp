@@ -85,22 +85,37 @@ Matrix5<T> flight_derivative(const Flight<T>& flight, const ContactChange<T>& co
     return d;
 }
 
+/// r_n of a vertex, or of a rounded corner's centre: what turns with the body.
+template <bool rounded, class T>
+T turning_arm(const Body<T>& body, const T& rn) {
+    if constexpr (rounded)
+        return rn - body.corner;
+    else
+        return rn;
+}
+
 /// u_n, u_t, B₁, B₂, B₃ and their differentials at a state before the impact.
-template <class T>
+///   rounded  of a body with rounded corners, in its units (Body::unit)
+template <bool rounded, class T>
 VariedKinematics<T> varied_kinematics(const Body<T>& body, const PostImpactState<T>& before) {
-    const ContactKinematics<T> k = contact_kinematics(body, before);
+    ContactKinematics<T> k;
+    if constexpr (rounded)
+        k = rounded_kinematics(body, before);
+    else
+        k = contact_kinematics(body, before);
     const T &rn = k.rn, &rt = k.rt, &inverse_inertia = body.inverse_inertia;
+    const T arm = turning_arm<rounded>(body, rn);
     VariedKinematics<T> a;
     a.un.value = approaching(k.un);
-    if (a.un.value > T(0)) a.un.change << -body.beta * before.psi.x, -before.spin * rn, T(1), T(0), -rt;
+    if (a.un.value > T(0)) a.un.change << -body.beta * before.psi.x, -before.spin * arm, T(1), T(0), -rt;
     a.ut.value = k.ut;
     a.ut.change << body.beta * before.psi.y, -before.spin * rt, T(0), T(1), rn;
     a.b1.value = k.b1();
     a.b2.value = k.b2();
     a.b3.value = k.b3();
-    a.b1.change[1] = T(-2) * rn * rt * inverse_inertia;  // dr = (−r_t, r_n) dχ
-    a.b2.change[1] = T(2) * rn * rt * inverse_inertia;
-    a.b3.change[1] = (rn * rn - rt * rt) * inverse_inertia;
+    a.b1.change[1] = T(-2) * rn * rt * inverse_inertia;  // dr = (−r_t, r_n) dχ, of a corner's centre
+    a.b2.change[1] = T(2) * arm * rt * inverse_inertia;
+    a.b3.change[1] = (rn * arm - rt * rt) * inverse_inertia;
     return a;
 }
 
@@ -108,19 +123,20 @@ VariedKinematics<T> varied_kinematics(const Body<T>& body, const PostImpactState
 ///   d       by the start's coordinates, of those before the impact; the disk's χ is zero and stays
 ///   before  the state before the impact
 ///   j       its impulse
-template <ImpactRule rule, class T>
+template <ImpactRule rule, bool rounded = false, class T>
 void add_impact(const Body<T>& body, const Scene<T>& scene, const PostImpactState<T>& before, const Impulse<T>& j,
                 Matrix5<T>& d) {
-    const VariedKinematics<T> at = varied_kinematics(body, before);
+    const VariedKinematics<T> at = varied_kinematics<rounded>(body, before);
     ImpulseChange<T> change = impulse_change<rule>(at, scene.mu, scene.restitution, j.mode);
     if (body.tangential_restitution != T(0) && ends_in_stick(j.mode))  // of the disk: q = −(1 + e_t)u_t/B₁
         change.tangential -= (body.tangential_restitution / at.b1.value) * at.ut.change;
-    const Vec2<T> r = body.alpha * before.chi;
+    const Vec2<T> arm = body.alpha * before.chi;
+    const Vec2<T> r = rounded ? Vec2<T>{arm.x + body.corner, arm.y} : arm;
     const Differential<T> normal = change.normal * d, tangential = change.tangential * d;
     d.row(2) -= normal;
     d.row(3) += tangential;
     d.row(4) +=
-        (r.x * tangential + r.y * normal + (r.x * j.normal - r.y * j.tangential) * d.row(1)) * body.inverse_inertia;
+        (r.x * tangential + r.y * normal + (arm.x * j.normal - arm.y * j.tangential) * d.row(1)) * body.inverse_inertia;
 }
 
 /// The state before an impact at `normal`: its position, and the velocities that the flight came with.

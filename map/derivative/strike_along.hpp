@@ -11,11 +11,12 @@
 
 namespace swirl {
 
-/// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain
-/// numbers.
-template <class J, Shape shape, ImpactRule rule>
-Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<J>& flight, const Plain<J>& time,
-                          int vertex) {
+namespace detail {
+
+/// `strike_along` of a map whose flights are CollisionMap's.
+template <template <class, Shape, ImpactRule> class Map, class J, Shape shape, ImpactRule rule>
+Collision<J> strike_along_flight(const Map<J, shape, rule>& map, const Flight<J>& flight, const Plain<J>& time,
+                                 int vertex) {
     const auto arm_at = [&](const Instant<J>& at) {
         if constexpr (shape == Shape::disk) {
             using std::sqrt;
@@ -38,6 +39,16 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
     Collision<J> collision;
     map.strike(flight, at, arm_at(at), 0, collision);
     return collision;
+}
+
+}  // namespace detail
+
+/// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain
+/// numbers.
+template <class J, Shape shape, ImpactRule rule>
+Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<J>& flight, const Plain<J>& time,
+                          int vertex) {
+    return detail::strike_along_flight(map, flight, time, vertex);
 }
 
 }  // namespace swirl

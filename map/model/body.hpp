@@ -25,7 +25,9 @@ struct VertexTable {
     std::vector<Vec2<T>> rests;       ///< what rounding left out of them (double only)
 };
 
-/// What a flight needs to know of the body and its container. Lengths in R_c.
+/// What a flight needs to know of the body and its container. Lengths in R_c; with rounded corners in R_c − r, in which
+/// they are those of the polygon of the corners' centres: these touch the circle of radius R_c − r as sharp vertices
+/// do.
 template <class T>
 struct Body {
     int sides = disk_sides;
@@ -48,6 +50,8 @@ struct Body {
     std::span<const Vec2<T>> vertices;            ///< cis(2πk/N) for N small enough to be worth a table …
     std::span<const Vec2<T>> rests;               ///< … and what rounding left out of it (double only)
     std::shared_ptr<const VertexTable<T>> table;  ///< which these are of: bodies of the same N may share it
+    T unit = T(1);                                ///< the unit of its lengths, 1 − r
+    T corner{};                                   ///< r in that unit: the wall is touched so far beyond the vertex
 
     static constexpr int table_limit = 1024;
     /// Below it gaps are known better relative to the vertex that has struck (`short_side_gap`).
@@ -121,11 +125,39 @@ inline std::shared_ptr<const VertexTable<T>> vertex_table(const Body<T>& body) {
     return std::make_shared<const VertexTable<T>>(std::move(table));
 }
 
+namespace detail {
+
+/// The polygon of the corners' centres, in R_c − r: α ← (α − r)/(1 − r), β ← β/(1 − r), and the same I.
+template <class T>
+inline Scene<T> of_corner_centres(Scene<T> scene) {
+    const T unit = T(1) - scene.corner, arm = scene.alpha - scene.corner;
+    scene.inertia_factor = scene.inertia_factor * (scene.alpha / arm) * (scene.alpha / arm);
+    scene.alpha = arm / unit;
+    scene.beta = scene.beta / unit;
+    scene.corner = T(0);
+    return scene;
+}
+
+}  // namespace detail
+
 /// Cost: without `similar` the directions of N ≤ 1024 vertices, some 0.1 µs each. Jets have no table: the one direction
 /// that they need costs less to work out than all to differentiate.
 ///   similar  a body whose table is taken, if it has the same N
 template <class T>
-inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr) {
+inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr);
+
+/// That of a polygon with rounded corners; r = 0 is the sharp one's.
+template <class T>
+inline Body<T> rounded_body(const Scene<T>& scene, const Body<T>* similar = nullptr) {
+    Body<T> body = make_body(detail::of_corner_centres(scene), similar);
+    body.unit = T(1) - scene.corner;
+    body.corner = scene.corner / body.unit;
+    return body;
+}
+
+template <class T>
+inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar) {
+    if (scene.is_rounded()) return rounded_body(scene, similar);
     using std::sqrt;
     using std::tan;
     Body<T> body;

@@ -10,7 +10,7 @@
 namespace swirl {
 
 /// The scene's numbers that can be varied continuously.
-enum class Parameter { alpha, beta, mu, restitution, inertia_factor, drag, tangential_restitution };
+enum class Parameter { alpha, beta, mu, restitution, inertia_factor, drag, tangential_restitution, corner };
 
 inline constexpr Parameter all_parameters[] = {Parameter::alpha,
                                                Parameter::beta,
@@ -18,12 +18,13 @@ inline constexpr Parameter all_parameters[] = {Parameter::alpha,
                                                Parameter::restitution,
                                                Parameter::inertia_factor,
                                                Parameter::drag,
-                                               Parameter::tangential_restitution};
+                                               Parameter::tangential_restitution,
+                                               Parameter::corner};
 
 /// By the name of the command's flag.
 inline std::string_view name_of(Parameter parameter) {
     static constexpr std::string_view names[] = {
-        "alpha", "beta", "mu", "restitution", "inertia-factor", "drag", "tangential-restitution"};
+        "alpha", "beta", "mu", "restitution", "inertia-factor", "drag", "tangential-restitution", "corner"};
     return names[static_cast<std::size_t>(parameter)];
 }
 
@@ -49,9 +50,11 @@ inline T& number_of(Scene<T>& scene, Parameter parameter) {
         case Parameter::drag:
             return scene.drag;
         case Parameter::tangential_restitution:
+            return scene.tangential_restitution;
+        case Parameter::corner:
             break;
     }
-    return scene.tangential_restitution;
+    return scene.corner;
 }
 
 /// The scene with another value of one parameter.
@@ -74,7 +77,8 @@ inline Scene<To> scene_in(const Scene<From>& s) {
             To(s.drag),
             To(s.spin_drag),
             s.floor,
-            To(s.tangential_restitution)};
+            To(s.tangential_restitution),
+            To(s.corner)};
 }
 
 }  // namespace swirl

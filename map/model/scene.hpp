@@ -42,10 +42,14 @@ struct Scene {
     T spin_drag = T(-1);         ///< γ_r: its torque −γ_r I S; negative: γ's value
     Floor floor = Floor::dish;   ///< V_f
     T tangential_restitution{};  ///< e_t, in [0, 1]; of the disk alone
+    T corner{};  ///< r of a polygon's rounded corners, in R_c, 0 ≤ r < α; α is their outermost points'
 
     bool is_disk() const { return sides == disk_sides; }
     bool is_rod() const { return sides == rod_sides; }
     T turning_drag() const { return spin_drag < T(0) ? drag : spin_drag; }
+    bool is_rounded() const { return corner != T(0); }
+    /// Is it followed by a map of its own (map/dragged, map/corners), of which less is known in closed form?
+    bool has_own_map() const { return has_drag() || is_rounded(); }
     bool has_drag() const { return drag != T(0) || turning_drag() != T(0); }
 };
 
@@ -56,6 +60,28 @@ inline T uniform_inertia_factor(int sides) {
     if (sides == disk_sides) return T(0.5);
     if (sides == rod_sides) return T(1) / T(3);
     return (T(2) + cos(T(2 * pi<T>() / sides))) / T(6);
+}
+
+/// κ of the uniform lamina with corners of radius r, α the circumradius of their outermost points. With ρ = α − r that
+/// of the corners' centres it is their polygon, a rectangle of width r on each of its sides, and a sector of a disk at
+/// each of its vertices:
+///     A = ½Nρ² sin(2π/N) + Nsr + πr²,   s = 2ρ sin(π/N),  a = ρ cos(π/N)
+///     I/m = [½Nρ⁴ sin(2π/N)(2 + cos(2π/N))/6 + Nsr(s²/12 + r²/12 + (a + r/2)²) + πr²(ρ² + r²/2) + ⅔ N s r³]/A
+/// κ = I/(m α²). The rod (N = 2) becomes a stadium.
+template <class T>
+inline T uniform_inertia_factor(int sides, const T& alpha, const T& corner) {
+    using std::cos;
+    using std::sin;
+    if (corner == T(0) || sides == disk_sides) return uniform_inertia_factor<T>(sides);
+    const T n = T(sides), half = T(pi<T>() / sides);
+    const T r = corner / alpha, rho = (alpha - corner) / alpha;  // in R_p
+    const T side = T(2) * rho * sin(half), apothem = sides == rod_sides ? T(0) : T(rho * cos(half));
+    const T inner = T(0.5) * n * side * apothem, rectangles = n * side * r, disk = T(pi<T>()) * r * r;
+    const T middle = apothem + T(0.5) * r;
+    return (inner * rho * rho * uniform_inertia_factor<T>(sides) +
+            rectangles * ((side * side + r * r) / T(12) + middle * middle) + disk * (rho * rho + T(0.5) * r * r) +
+            T(2) * n * side * r * r * r / T(3)) /
+           (inner + rectangles + disk);
 }
 
 /// "poisson", "newton", "stronge".
@@ -146,6 +172,14 @@ inline Scene<T> validated(const Scene<T>& scene) {
             "tangential-restitution", scene.tangential_restitution,
             "0 for a polygon, whose normal and tangential impulse are coupled (B_3 != 0): it could gain "
             "energy; 0 to 1 for the disk");
+    if (!(scene.corner >= T(0) && scene.corner < scene.alpha && is_holdable(scene.corner)))
+        detail::out_of_range("corner", scene.corner,
+                             "0 <= corner < alpha (0, or at least 1e-75; at alpha it is the disk)");
+    if (scene.is_rounded() && scene.is_disk())
+        detail::out_of_range("corner", scene.corner, "0 for the disk, which has no corners");
+    if (scene.is_rounded() && scene.has_drag())
+        detail::out_of_range("corner", scene.corner,
+                             "0 over a floor that drags, to which rounded corners are not extended");
     const T& turning = scene.turning_drag();
     if (!(scene.drag >= T(0) && scene.drag <= T(largest_drag) && is_holdable(scene.drag)))
         detail::out_of_range("drag", scene.drag, "0, or 1e-75 to 1000");
@@ -184,6 +218,16 @@ inline Scene<T> without_rod(const Scene<T>& scene, const char* what) {
     if (scene.is_rod())
         throw std::invalid_argument(std::string(what) +
                                     " is not extended to the rod (sides = 2); 3 to 1000000, or disk, is wanted");
+    return scene;
+}
+
+/// The scene, if its body has sharp corners or none.
+///   what  as in `without_drag`
+template <class T>
+inline Scene<T> without_rounding(const Scene<T>& scene, const char* what) {
+    if (scene.is_rounded())
+        throw std::invalid_argument(std::string(what) + " is not extended to rounded corners (corner = " +
+                                    NumberTraits<Plain<T>>::text(plain(scene.corner)) + "); 0 is wanted");
     return scene;
 }
 

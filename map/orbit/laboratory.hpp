@@ -19,7 +19,9 @@ struct LabStart {
     T spin{};      ///< S
 };
 
-/// @throws std::invalid_argument if a vertex is outside the container, or the disk overlaps its wall
+/// In the body's units (Body::unit).
+/// @throws std::invalid_argument if a vertex is outside the container, or the disk or a rounded corner overlaps its
+/// wall
 template <class T>
 Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
     using std::sqrt;
@@ -28,8 +30,10 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
     for (int i = 0; i < 6; ++i) detail::require_finite(names[i], *values[i]);
     detail::require_speed(speed_of(body, start.vx, start.vy, start.spin));
     Flight<T> flight;
-    flight.centre = {start.x - body.beta, start.y};
-    flight.velocity = {start.vx, start.vy};
+    const bool rounded = body.corner != T(0);
+    flight.centre =
+        rounded ? Vec2<T>{start.x / body.unit - body.beta, start.y / body.unit} : Vec2<T>{start.x - body.beta, start.y};
+    flight.velocity = rounded ? Vec2<T>{start.vx / body.unit, start.vy / body.unit} : Vec2<T>{start.vx, start.vy};
     flight.phase = {T(1), T(0)};
     flight.beta = body.beta;
     flight.arm = body.alpha * cis(start.angle);
@@ -40,6 +44,7 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
         detail::look_around(body, flight, instant_at_start(flight), pair);
         reach = sqrt(std::max(pair.first.gap.value, pair.second.gap.value) + T(1));
     }
+    if (rounded && reach > T(1)) reach = body.unit * (reach + body.corner);
     if (reach > T(1))
         detail::out_of_range("start: distance of the farthest point from the container's centre", reach, "at most 1");
     return flight;
@@ -168,7 +173,8 @@ LabState<T> lab_state(const Body<T>& body, const LabFrame<T>& frame, const PostI
     const Vec2<T> n = times(swirl, post_impact.psi);
     const Vec2<T> r = body.alpha * times(n, post_impact.chi);
     const Vec2<T> velocity = times(n, Vec2<T>{post_impact.vn, post_impact.vt});
-    const Vec2<T> position = body.beta * swirl + (n - r);
+    const Vec2<T> own = body.beta * swirl + (n - r);
+    const Vec2<T> position = body.corner == T(0) ? own : body.unit * own;
     return {frame.time.unwound(),  position.x,       position.y, velocity.x, velocity.y,
             frame.angle.unwound(), post_impact.spin, frame.time, frame.angle};
 }

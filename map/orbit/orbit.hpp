@@ -22,11 +22,11 @@ void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
     const T speed = speed_of(body, z.vn, z.vt, z.spin);
     detail::require_speed(speed);
     const PostImpactState<T> post_impact = post_impact_state(z);
-    const ContactKinematics<T> slip = contact_kinematics(body, post_impact);
+    const ContactKinematics<T> slip = kinematics_of(body, post_impact);
     if (slip.un > T(16) * epsilon<T>() * (body.beta + speed))
         detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
     if (body.sides == disk_sides) return;
-    const Flight<T> flight = flight_from(body, post_impact);
+    const Flight<T> flight = flight_of(body, post_impact);
     detail::NearestTwo<T> pair;
     detail::look_around(body, flight, instant_at_start(flight), pair);
     const T excess = std::max(pair.first.gap.value, pair.second.gap.value);

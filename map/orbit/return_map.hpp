@@ -33,6 +33,21 @@ template <class Map, class T>
     return spin * time;
 }
 
+/// Does the map have polygons with rounded corners (map/corners)? They are not followed in contact.
+template <class Map>
+inline constexpr bool has_round_corners = requires {
+    Map::has_round_corners;
+};
+
+/// The flight after an impact.
+template <class Map, class T>
+[[gnu::always_inline]] inline Flight<T> flight_after(const Map& map, const PostImpactState<T>& post_impact) {
+    if constexpr (has_round_corners<Map>)
+        return map.flight_after(post_impact);
+    else
+        return flight_from(map.body(), post_impact);
+}
+
 /// How an orbit ends that meets the wall no more.
 template <class Map>
 Outcome ending_without_contact(const Map&) {
@@ -89,6 +104,7 @@ public:
     /// The map must outlive it.
     explicit ReturnMap(const Map& map) : map_(map) {
         const auto& s = map.scene();
+        if constexpr (has_round_corners<Map>) return;
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
         contact_ = contact_scene(map.body(), s, Map::rule);
@@ -138,7 +154,7 @@ private:
 
     /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
-        return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
+        return (contact_ || has_round_corners<Map>)&&c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
     static bool is_no_number(const Collision<T>& c) { return is_out_of_range(c.after, c.impulse.normal); }
@@ -169,6 +185,7 @@ private:
             case FirstContactOutcome::no_contact:
                 return ending_without_contact(map_);
             case FirstContactOutcome::sustained:
+                if constexpr (has_round_corners<Map>) return Outcome::contact_of_corner;
                 return contact_ ? Outcome::unresolved : Outcome::resting;
             case FirstContactOutcome::unresolved:
                 return Outcome::unresolved;
@@ -203,7 +220,7 @@ auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horiz
         if (const ChatterCompletion<T> completion = chatter_completion(*contact_, post_impact);
             completion.in_contact || completion.struck)
             return advance_in_contact(post_impact, completion, horizon, sink);
-    ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
+    ReturnStep<T> return_step = advance(flight_after(map_, post_impact));
     if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
         return advance_in_contact(post_impact, held(post_impact), horizon, sink);
     end_if_nothing_changes(return_step);

@@ -8,12 +8,13 @@ namespace swirl {
 
 namespace {
 
-/// The body's centre in contact: β w + n − α r, of a disk β w + (1 − α) n.
+/// The body's centre on the wall: β w + n − α r, of a disk β w + (1 − α) n; in R_c.
 Vec2<double> centre_on_wall(const ContactScene<double>& scene, const ContactState<double>& state, double t) {
     const Vec2<double> swirl = cis(t);
     const Vec2<double> n = times(swirl, cis(state.psi));
     const Vec2<double> r = scene.is_disk() ? n : times(n, cis(state.chi));
-    return scene.body.beta * swirl + (n - scene.body.alpha * r);
+    const Vec2<double> own = scene.body.beta * swirl + (n - scene.body.alpha * r);
+    return scene.body.corner == 0 ? own : scene.body.unit * own;
 }
 
 /// In flight over a floor that drags: the lab's P = P₀ + U D(τ) + (w − h w₀)-part, (1 − h) w₀ E(τ), with U from where

@@ -106,7 +106,8 @@ private:
                 number(s.drag),
                 number(s.spin_drag),
                 s.floor,
-                number(s.tangential_restitution)};
+                number(s.tangential_restitution),
+                number(s.corner)};
     }
     Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);

@@ -29,6 +29,7 @@ inline BallScene ball_scene(const Scene<double>& scene) {
     without_drag(scene, "a proof");
     without_tangential_restitution(scene, "a proof");
     without_rod(scene, "a proof");
+    without_rounding(scene, "a proof");
     BallScene balls;
     balls.sides = scene.sides;
     balls.law = scene.law;

@@ -197,6 +197,7 @@ void require_chart(const Scene<double>& scene) {
     without_drag(scene, "a proof of chaos");
     without_tangential_restitution(scene, "a proof of chaos");
     without_rod(scene, "a proof of chaos");
+    without_rounding(scene, "a proof of chaos");
     if (scene.mu != 0) return;
     if (scene.restitution < 1)
         throw std::invalid_argument(

@@ -51,6 +51,8 @@ void set_parameter(SceneIn<S>& scene, Parameter parameter, const S& value) {
         case Parameter::tangential_restitution:
             throw std::invalid_argument(
                 "proofs are not extended to tangential restitution: tangential-restitution is no parameter of theirs");
+        case Parameter::corner:
+            throw std::invalid_argument("proofs are not extended to rounded corners: corner is no parameter of theirs");
     }
 }
 

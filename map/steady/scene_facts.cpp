@@ -62,14 +62,15 @@ SceneFacts scene_facts(const Scene<double>& scene) {
     const Body<double> body = make_body(validated(scene));
     const ContactScene<double> contact = contact_scene(body, scene.mu, scene.restitution, ImpactRule::poisson);
     SceneFacts facts;
-    facts.untouched_radius = body.inner - body.beta;
-    facts.untouched_room_turning = body.outer - body.beta;
+    facts.untouched_radius = body.unit * (body.inner - body.beta);  // in R_c; 1 of what has no rounded corners
+    facts.untouched_room_turning = body.unit * (body.outer - body.beta);
     facts.impacts = fate_of(scene);
     if (scene.is_disk()) {
         facts.rim = rim_facts(scene, contact);
         return facts;
     }
     facts.widest_chi = contact.widest_chi;
+    if (scene.is_rounded()) return facts;  // a rounded corner's B_3 is another
     facts.painleve_friction = painleve_friction(scene.inertia_factor, contact.widest_chi);
     facts.can_jam = scene.mu >= *facts.painleve_friction;
     return facts;

@@ -36,10 +36,12 @@ struct RimFacts {
 };
 
 struct SceneFacts {
-    /// χ_m = π/N − asin(α sin(π/N)): |χ| at which the neighbouring vertex touches too. A disk has χ = 0.
+    /// χ_m = π/N − asin(α sin(π/N)): |χ| at which the neighbouring vertex touches too. A disk has χ = 0. With corners
+    /// of radius r that of their centres, (α − r)/(1 − r) in place of α.
     double widest_chi = 0;
     /// μ from which sliding may have B₂ − sμB₃ ≤ 0 for some |χ| ≤ χ_m (Painlevé): κ/T + (1 + κ)T, T = min(√(κ/(1 + κ)),
-    /// tan χ_m), the least over tan χ of (κ + (1 + κ)tan²χ)/tan χ. None for the disk, whose B₃ = 0.
+    /// tan χ_m), the least over tan χ of (κ + (1 + κ)tan²χ)/tan χ. None for the disk, whose B₃ = 0,
+    /// and with rounded corners.
     std::optional<double> painleve_friction;
     bool can_jam = false;  ///< μ ≥ that
     /// 1 − α − β: while the body's centre is nearer than this to the swirl's centre nothing touches, wherever the

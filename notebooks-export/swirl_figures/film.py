@@ -6,6 +6,7 @@ from matplotlib.patches import Circle, Polygon
 
 from .look import blank_figure
 from .motion import motion_of
+from .outline import outline
 from .path import FRAMES, MOST_CORNERS
 from .physical import in_si
 from .record import RecordError
@@ -135,8 +136,8 @@ class Film:
         if self._round:
             self._body.center = place
             return
-        corners = angle + 2 * numpy.pi * numpy.arange(self._scene["sides"]) / self._scene["sides"]
-        self._body.set_xy(numpy.column_stack(self._place(x + alpha * numpy.cos(corners), y + alpha * numpy.sin(corners), t)))
+        edge = outline(self._scene, angle)
+        self._body.set_xy(numpy.column_stack(self._place(x + edge.real, y + edge.imag, t)))
 
     def pictures(self):
         self._canvas.draw()

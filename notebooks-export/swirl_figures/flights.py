@@ -62,12 +62,13 @@ def _flights_of(record):
     scene = record.scene()
     p, q, normal = column("impulse_normal"), column("impulse_tangential"), column("psi") + t
     chi = column("chi") if record.has("collisions", "chi") else numpy.zeros_like(t)
-    arm, inertia = scene["alpha"], scene["inertia_factor"] * scene["alpha"] ** 2
+    corner, inertia = scene.get("corner", 0), scene["inertia_factor"] * scene["alpha"] ** 2
+    arm = scene["alpha"] - corner
     contact_ends = record.column("contacts", "t_end") if "contacts" in record else numpy.array([])
     return Flights(
         begin=_begins(t, column("flight_time"), contact_ends),
         end=t,
-        spin=column("spin") - arm * (numpy.cos(chi) * q + numpy.sin(chi) * p) / inertia,
+        spin=column("spin") - (arm * (numpy.cos(chi) * q + numpy.sin(chi) * p) + corner * q) / inertia,
         x=column("x"),
         y=column("y"),
         vx=column("vx") + p * numpy.cos(normal) + q * numpy.sin(normal),

@@ -120,7 +120,8 @@ def _flights_of_cycle(points, scene, return_time):
     """One period; None where a pair of points is not joined by a flight."""
     psi, chi = points["psi"], points.get("chi", numpy.zeros_like(points["psi"]))
     alpha, beta = scene["alpha"], scene["beta"]
-    place = beta + numpy.exp(1j * psi) - alpha * numpy.exp(1j * (psi + chi))
+    corner = scene.get("corner", 0)
+    place = beta + (1 - corner) * numpy.exp(1j * psi) - (alpha - corner) * numpy.exp(1j * (psi + chi))
     velocity = numpy.exp(1j * psi) * (points["vn"] + 1j * points["vt"])
     if len(psi) == 1:  # the time is known, also where the body does not move in these axes
         times = [return_time]

@@ -9,6 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
 from .look import NARROW, is_narrow, side_by_side, width_of
+from .outline import outline
 from .style import BLACK, TIMES, VERMILION
 from .symbols import TIME, scene_title
 from .words import broken
@@ -84,9 +85,8 @@ def _draw_body(axes, name, record):
     if scene["sides"] == "disk" or scene["sides"] > MOST_CORNERS:
         axes.add_patch(Circle(FRAMES[name](x, y, t, beta), alpha, **style))
         return
-    corners = angle + 2 * numpy.pi * numpy.arange(scene["sides"]) / scene["sides"]
-    axes.add_patch(Polygon(numpy.column_stack(
-        FRAMES[name](x + alpha * numpy.cos(corners), y + alpha * numpy.sin(corners), t, beta)), **style))
+    edge = outline(scene, angle)
+    axes.add_patch(Polygon(numpy.column_stack(FRAMES[name](x + edge.real, y + edge.imag, t, beta)), **style))
 
 
 def _title(flights, record):

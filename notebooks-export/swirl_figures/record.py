@@ -136,7 +136,7 @@ class Record:
         """The scene's parameters. A sweep keeps those that it does not vary among its settings."""
         attributes = {**self.attributes("settings"), **self.attributes("scene")}
         names = ("sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag", "spin_drag",
-                 "floor", "tangential_restitution")
+                 "floor", "tangential_restitution", "corner")
         given = Scene((name, attributes[name]) for name in names if name in attributes)
         if "inertia-factor" in attributes:
             given.setdefault("inertia_factor", attributes["inertia-factor"])

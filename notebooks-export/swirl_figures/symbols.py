@@ -16,6 +16,7 @@ _PARAMETERS = {
     "drag": ("γ", r"$\gamma/\omega_s$  (drag of the floor)"),
     "spin_drag": ("γ_r", r"$\gamma_r/\omega_s$  (drag of the floor on the spin)"),
     "tangential_restitution": (r"$e_t$", r"$e_t$  (tangential restitution)"),
+    "corner": ("r", r"$r/R_c$  (radius of rounded corners)"),
     "sides": ("N", r"$N$  (number of sides)"),
     "law": ("law", "impact law"),
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
@@ -107,7 +108,7 @@ def scene_title(scene, leave_out=()):
         known = "sides" in scene and "sides" not in left_out
         if not known or abs(inertia - _uniform_inertia(scene["sides"])) > 1e-9:
             parts.append(f"κ = {number(inertia)}")
-    for name in ("drag", "spin_drag", "tangential_restitution"):
+    for name in ("drag", "spin_drag", "tangential_restitution", "corner"):
         if name in scene and name not in left_out:
             parts.append(f"{symbol(name)} = {number(scene[name])}")
     if scene.get("floor") == "table":

@@ -182,7 +182,8 @@ void compare_along_parameters(const Compared<Map>& c, Differences& differences) 
     constexpr int vn = Compared<Map>::vn;
     Scene<double> scene = c.returns.map().scene();
     for (const Parameter parameter : all_parameters) {
-        if (parameter == Parameter::drag) continue;  // DraggedContact has a floor that drags
+        if (parameter == Parameter::drag) continue;    // DraggedContact has a floor that drags
+        if (parameter == Parameter::corner) continue;  // not followed in contact
         const double value = number_of(scene, parameter);
         if (value - 2 * step < 0 || value + 2 * step > (parameter == Parameter::restitution ? 1 : 1e9)) continue;
         if (parameter == Parameter::mu && value == 0) continue;

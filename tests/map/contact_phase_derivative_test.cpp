@@ -82,6 +82,7 @@ double error_along_parameters(const Start& start, const ContactPhase<double>& ph
         Scene<J> along = scene_in<J>(start.scene);
         if (parameter == Parameter::mu && start.scene.mu == 0) continue;
         if (parameter == Parameter::drag) continue;                    // DraggedContact has a floor that drags
+        if (parameter == Parameter::corner) continue;                  // not followed in contact
         if (parameter == Parameter::tangential_restitution) continue;  // of the disk alone
         number_of(along, parameter).v[0] = 1;
         const ContactScene<J> scene = tests::contact_of(along);

@@ -3,6 +3,7 @@ cycles and steady modes."""
 
 from mpmath import mp, mpc, mpf
 
+import corners
 import dragged
 import dragged_contact
 import tangential
@@ -51,7 +52,7 @@ def growth(state, neighbours):
 
 
 def orbit(entry):
-    """An entry of trajectories.json, of dragged_trajectories.json or of tangential_trajectories.json."""
+    """An entry of trajectories.json, of dragged_, tangential_ or corner_trajectories.json."""
     following, again = next_impact, same_impact
     if "drag" in entry:
         floor = dragged.floor_of(entry)
@@ -62,7 +63,13 @@ def orbit(entry):
         returned = tangential.returned_of(entry)
         following = lambda scene, *rest: tangential.next_impact(scene, returned, *rest)
         again = lambda scene, *rest: tangential.same_impact(scene, returned, *rest)
-    scene, start = scene_of(entry), {key: mpf(value) for key, value in entry["initial"].items()}
+    scene = scene_of(entry)
+    if "corner" in entry:
+        corner = corners.corner_of(entry)
+        scene = corners.with_moment(scene, corner)
+        following = lambda scene, *rest: corners.next_impact(scene, corner, *rest)
+        again = lambda scene, *rest: corners.same_impact(scene, corner, *rest)
+    start = {key: mpf(value) for key, value in entry["initial"].items()}
     state = State(mpf(0), mpc(start["x"], start["y"]), mpc(start["vx"], start["vy"]), start["angle"], start["spin"])
     neighbours, rows, struck = nudged(state), [], None
     for _ in entry["collisions"]:

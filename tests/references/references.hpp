@@ -44,7 +44,8 @@ Scene<T> scene_from(const nlohmann::json& c) {
     for (const Law candidate : all_laws)
         if (name_of(candidate) == law) scene.law = candidate;
     if (name_of(scene.law) != law) throw std::runtime_error("unknown law " + law);
-    scene.inertia_factor = uniform_inertia_factor<T>(scene.sides);
+    if (c.contains("corner")) scene.corner = number<T>(c["corner"]);
+    scene.inertia_factor = uniform_inertia_factor<T>(scene.sides, scene.alpha, scene.corner);
     if (c.contains("tangential_restitution")) scene.tangential_restitution = number<T>(c["tangential_restitution"]);
     return scene;
 }

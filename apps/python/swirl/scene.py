@@ -67,8 +67,10 @@ class Scene:
         Where restitution ends.
     inertia_factor : float, optional
         kappa, I = kappa m R_p**2; by default the uniform lamina's.
-    container_radius, swirl_radius, polygon_radius : float, optional
-        R_c, r_s and R_p in m; with any of these five all that functions take and records hold is in m, s and kg.
+    corner : float, optional
+        r/R_c, the radius of a polygon's rounded corners, 0 <= r < alpha; 0 by default. r = alpha is the disk.
+    container_radius, swirl_radius, polygon_radius, corner_radius : float, optional
+        R_c, r_s, R_p and r in m; with any of these six all that functions take and records hold is in m, s and kg.
     swirl_rate : float, optional
         omega_s in rad/s.
     mass : float, optional
@@ -95,7 +97,7 @@ class Scene:
 
     def __init__(self, sides=None, alpha=None, beta=None, mu=None, restitution=None, law="poisson", inertia_factor=None,
                  *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None,
-                 drag=None, spin_drag=None, floor=None, tangential_restitution=None):
+                 drag=None, spin_drag=None, floor=None, tangential_restitution=None, corner=None, corner_radius=None):
         given = {name: value for name, value in locals().items() if name != "self"}
         self._read([f"--{name.replace('_', '-')}={text_of_argument(name, value)}"
                     for name, value in given.items() if value is not None])
@@ -141,6 +143,7 @@ class Scene:
     spin_drag = _value("spin_drag", "gamma_r, in omega_s.", 0.0)
     floor = _value("floor", "`dish` or `table`; None of a floor that does not drag.")
     tangential_restitution = _value("tangential_restitution", "e_t of the disk.", 0.0)
+    corner = _value("corner", "r/R_c, the radius of rounded corners.", 0.0)
 
     @property
     def units(self):
@@ -180,7 +183,7 @@ class Scene:
         outcome : ndarray of int8, shape (n,); a word of one state
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
             "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
-            impact (u_n > 0, or a vertex outside), and of a floor that drags "riding".
+            impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner".
 
         Notes
         -----
@@ -236,7 +239,7 @@ class Scene:
     def with_(self, **parameters):
         """The scene with other values of some parameters."""
         texts = {name.replace("-", "_"): text for name, text in self._texts}
-        for name, other in (("alpha", "polygon_radius"), ("beta", "swirl_radius")):
+        for name, other in (("alpha", "polygon_radius"), ("beta", "swirl_radius"), ("corner", "corner_radius")):
             for given, replaced in ((name, other), (other, name)):
                 if parameters.get(given) is not None:
                     texts.pop(replaced, None)

@@ -86,7 +86,7 @@ std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoin
 
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
                         const std::vector<std::int64_t>& itinerary_after, bool goes_on, Accuracy accuracy) {
-    if (!goes_on && !scene.has_drag()) {  // flights are looked at as those without drag
+    if (!goes_on && !scene.has_own_map()) {  // flights are looked at as those of CollisionMap
         const std::string name = with_scene_map(
             scene, [&](const auto& map) { return name_without_cycle(map, last); }, contact_horizon, accuracy);
         if (name != analysis::nameless_border) return name;

@@ -28,7 +28,8 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
     if (along.parameter) {
         const Parameter parameter = *along.parameter;
         branches.map = shooting_map_of(scene, parameter, accuracy);
-        if (!scene.has_drag() && parameter != Parameter::drag)  // normal forms are of the map without drag
+        // Normal forms are of the map without drag, of sharp polygons and disks.
+        if (!scene.has_own_map() && parameter != Parameter::drag && parameter != Parameter::corner)
             branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
                 return scene_forms(scene, parameter, points, p);
             };

@@ -21,13 +21,14 @@ Eigen::VectorXd random_section_point(const Scene<double>& scene, double room, co
     const double pi_ = pi<double>();
     const double speed = scene.beta + 0.3;
     const double rolling = (1 - scene.alpha) / scene.alpha;
+    const double arm = scene.alpha - scene.corner;  // to a rounded corner's centre
     z.psi = draws.u[5] < 0.5 ? draws.between(0, -pi_, pi_) : draws.between(0, -0.3 * pi_, 0.3 * pi_);
     z.chi = 0.999 * room * draws.between(1, -1, 1);
     z.spin = draws.between(2, -1.5 * rolling - 0.5, 0.5 * rolling + 1.5);
     const double leaving = 2 * speed * draws.u[3] * draws.u[3];
-    z.vn = -leaving + scene.alpha * z.spin * std::sin(z.chi) + scene.beta * std::sin(z.psi);
+    z.vn = -leaving + arm * z.spin * std::sin(z.chi) + scene.beta * std::sin(z.psi);
     // Half of them without slip, which is where sticking impacts lead.
-    z.vt = scene.beta * std::cos(z.psi) - scene.alpha * z.spin * std::cos(z.chi) +
+    z.vt = scene.beta * std::cos(z.psi) - arm * z.spin * std::cos(z.chi) - scene.corner * z.spin +
            (draws.u[6] < 0.5 ? 0 : draws.between(4, -speed, speed));
     return coordinates_of(z, scene.is_disk());
 }

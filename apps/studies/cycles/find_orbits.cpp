@@ -120,8 +120,8 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
     found.none_exist = is_dissipative_without_drive(scene);
     if (found.none_exist) return found;
     const auto stopped = [&] { return options.control.is_stopped(); };
-    // Over a floor that drags fixed points are searched for as other cycles are.
-    const bool known_from_equations = !scene.has_drag();
+    // Over a floor that drags, and of rounded corners, fixed points are searched for as other cycles are.
+    const bool known_from_equations = !scene.has_own_map();
     if (options.first_period == 1 && known_from_equations)
         found.steady = find_steady_cycles(scene, map, options.max_time, stopped, options.control.threads,
                                           options.candidates.accuracy, found.cycles);

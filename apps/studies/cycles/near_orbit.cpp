@@ -97,7 +97,7 @@ Eigen::VectorXd cloud_point(const NearSearch& search, const Body<double>& body, 
     for (Eigen::Index j = 0; j < start.size(); ++j)
         start[j] += draws.between(static_cast<std::size_t>(j), -radius, radius);
     const SectionPoint<double> z = section_point_of(start);
-    const bool leaves = contact_kinematics(body, post_impact_state(z)).un < 0;
+    const bool leaves = kinematics_of(body, post_impact_state(z)).un < 0;
     return leaves && std::abs(z.chi) <= room ? start : Eigen::VectorXd();
 }
 
@@ -170,12 +170,12 @@ FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& m
                       const SectionPoint<double>& z, int first_period, int last_period,
                       const std::function<bool()>& stop) {
     FoundOrbits found;
-    const auto timed = scene.has_drag() ? analysis::TimedMap{} : timed_map_of(scene);
+    const auto timed = scene.has_own_map() ? analysis::TimedMap{} : timed_map_of(scene);
     const Eigen::VectorXd near = coordinates_of(z, scene.is_disk());
     analysis::KnownCycles known(map, 0, analysis::same_cycle, false);
     for (int k = first_period; k <= last_period && !stop(); ++k) {
         const Solution best =
-            nearest_cycle({scene, map, scene.has_drag() ? nullptr : &timed, accuracy, near, k}, stop, found);
+            nearest_cycle({scene, map, scene.has_own_map() ? nullptr : &timed, accuracy, near, k}, stop, found);
         found.iterations = best.iterations;
         found.reached = std::isfinite(best.residual) ? best.residual : std::nan("");
         if (best.points.empty()) continue;

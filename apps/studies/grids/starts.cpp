@@ -34,7 +34,7 @@ Scene<double> cell_scene(const GridStudy& study, std::size_t cell) {
         if (const auto parameter = parameter_named(name)) number_of(scene, *parameter) = point[k];
     }
     if (study.uniform && !has_axis(study.grid, "inertia-factor"))
-        scene.inertia_factor = uniform_inertia_factor<double>(scene.sides);
+        scene.inertia_factor = uniform_inertia_factor<double>(scene.sides, scene.alpha, scene.corner);
     return validated(scene);
 }
 

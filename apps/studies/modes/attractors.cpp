@@ -123,7 +123,7 @@ bool is_of(const SettledRun& run, double spin) {
 }  // namespace
 
 std::vector<SteadyShare> steady_shares(const Scene<double>& scene, std::span<const SettledRun> runs) {
-    if (scene.has_drag()) return {};  // map/steady has the equations of a floor without drag
+    if (scene.has_own_map()) return {};  // map/steady has the equations of a floor without drag, of sharp polygons
     SteadyOptions options;
     options.longest_flight = longest_attracting_flight;
     options.attracting = true;

@@ -248,7 +248,7 @@ void look_for_growth(const PolygonMap& map, const Scene<double>& scene, const an
     const auto& verdict = named.verdict;
     const bool settled = verdict.period > 0 && !verdict.multipliers.empty();
     if (tail.ended || settled || scene.mu == 0 || tail.durations.size() < chord_impacts) return;
-    if (scene.restitution == 1 && scene.beta > 0 && !scene.has_drag() && look_for_chord(map, scene, tail, named))
+    if (scene.restitution == 1 && scene.beta > 0 && !scene.has_own_map() && look_for_chord(map, scene, tail, named))
         return;
     if (scene.law != Law::newton || !is_fast(scene, in_container(scene, tail.last).energy)) return;
     const std::vector<double> energies = energies_followed_on(map, scene, tail);

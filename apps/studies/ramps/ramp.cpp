@@ -51,7 +51,7 @@ Scene<double> scene_at(const RampSettings& settings, double value) {
 
 /// The state with the wall's velocity of another β: see ramp.hpp. Was the body taken along?
 bool take_along(const Body<double>& body, PostImpactState<double>& z) {
-    const double un = contact_kinematics(body, z).un;
+    const double un = kinematics_of(body, z).un;
     if (!(un > 0)) return false;
     z.vn -= un;
     return true;
@@ -268,6 +268,7 @@ private:
 
 std::string why_not_ramped(const std::string& name) {
     if (name == "alpha") return "it changes the body: its other vertices would be moved in flight";
+    if (name == "corner") return "it changes the body, whose other corners would be moved in flight";
     if (name == "sides" || name == "law") return "it is no number that changes continuously";
     if (name == "inertia-factor") return "it changes the body, whose spin would change with it";
     if (name == "swirl-rate")

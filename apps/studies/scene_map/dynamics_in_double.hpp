@@ -5,6 +5,7 @@
 #include "apps/studies/scene_map/lanes.hpp"
 #include "apps/studies/scene_map/scene_dynamics.hpp"
 #include "apps/studies/scene_map/step_cost.hpp"
+#include "map/corners/corner_derivative.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/orbit/dragged_return_derivative.hpp"
 
@@ -47,12 +48,14 @@ std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, 
     return done;
 }
 
-/// The dynamics of CollisionMap, or of DraggedMap: over a floor that drags there are no lanes.
+/// The dynamics of CollisionMap, of DraggedMap or of CornerMap: CollisionMap alone has lanes.
 template <class Map_>
 class DynamicsInDouble final : public SceneDynamics<section_dimension<Map_::shape>> {
 public:
     using Map = Map_;
     static constexpr bool drags = requires(const Map& map) { map.floor(); };
+    static constexpr bool is_rounded = has_round_corners<Map>;
+    static constexpr bool has_lanes_of_its_own = !drags && !is_rounded;
     using Base = SceneDynamics<section_dimension<Map::shape>>;
     using State = typename Base::State;
     using Step = typename Base::Step;
@@ -82,10 +85,10 @@ public:
     }
 
     bool goes_together_with(const Base& other) const override {
-        return !drags && dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;
+        return has_lanes_of_its_own && dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;
     }
     void follow_together(std::span<LaneOrbit<section_dimension<Map::shape>>> orbits) const override {
-        if constexpr (!drags) studies::follow_together<Map::shape, Map::rule>(orbits);
+        if constexpr (has_lanes_of_its_own) studies::follow_together<Map::shape, Map::rule>(orbits);
     }
 
     double turned(const State& z, double duration) const override {
@@ -105,11 +108,19 @@ public:
                                                           Parameter parameter) const override {
         if (!drags && parameter == Parameter::drag)
             throw std::logic_error("along drag the map is that over a floor that drags");
+        if (!is_rounded && parameter == Parameter::corner)
+            throw std::logic_error("along the radius of corners the map is that of rounded corners");
         if (known.contacts.empty()) return derivative_along(map_, parameter, z, known.collision);
-        return derivative_along_contact(return_map_, parameter, section_point(z), known);
+        if constexpr (is_rounded)
+            throw std::logic_error("rounded corners are not followed in contact");
+        else
+            return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        return derivative_through_contact(return_map_, z, known, &series);
+        if constexpr (is_rounded)
+            throw std::logic_error("rounded corners are not followed in contact");
+        else
+            return derivative_through_contact(return_map_, z, known, &series);
     }
 
 private:

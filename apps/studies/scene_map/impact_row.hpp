@@ -54,7 +54,9 @@ ImpactRow impact_row(const SceneOrbit<T>& orbit) {
     row.jacobi = number(jacobi_of(orbit.body(), c.after));
     row.jacobi_restitution = number(c.jacobi_restitution);
     row.jacobi_friction = number(c.jacobi_friction);
-    row.energy = number((lab.vx * lab.vx + lab.vy * lab.vy + orbit.body().inertia * lab.spin * lab.spin) / 2);
+    const auto& body = orbit.body();
+    const T inertia = body.unit * body.unit * body.inertia;
+    row.energy = number((lab.vx * lab.vx + lab.vy * lab.vy + inertia * lab.spin * lab.spin) / 2);
     return row;
 }
 

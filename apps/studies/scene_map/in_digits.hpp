@@ -71,7 +71,7 @@ PostImpactState<T> begin_in(const Body<T>& body, const PostImpactState<double>& 
     if constexpr (std::is_same_v<T, double>) return z;
     z.psi = renormalised(z.psi);
     z.chi = renormalised(z.chi);
-    const T un = contact_kinematics(body, z).un;
+    const T un = kinematics_of(body, z).un;
     if (un > T(0)) z.vn = z.vn - un;
     return z;
 }

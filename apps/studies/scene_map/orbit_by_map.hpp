@@ -3,6 +3,7 @@
 
 #include "apps/studies/scene_map/scene_orbit.hpp"
 #include "map/baselines/baseline_map.hpp"
+#include "map/corners/corner_map.hpp"
 #include "map/orbit/dragged_return.hpp"
 
 #include <memory>
@@ -43,6 +44,11 @@ SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start, const st
     if (scene.has_drag()) {
         if (search) throw std::invalid_argument("a baseline's search is not extended to a floor that drags");
         with_dragged_map(scene, own);
+        return;
+    }
+    if (scene.is_rounded()) {
+        if (search) throw std::invalid_argument("a baseline's search is not extended to rounded corners");
+        with_corner_map(scene, own);
         return;
     }
     with_collision_map(scene, [&](const auto& map) {

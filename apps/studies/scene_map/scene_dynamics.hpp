@@ -52,8 +52,8 @@ public:
     virtual Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const = 0;
 };
 
-/// Dynamics in double (dynamics_in_double.hpp): CollisionMap's, compiled in scenes_in_double.cpp, and DraggedMap's,
-/// over a floor that drags, in dragged_scenes.cpp.
+/// Dynamics in double (dynamics_in_double.hpp): CollisionMap's, compiled in scenes_in_double.cpp, DraggedMap's, over a
+/// floor that drags, in dragged_scenes.cpp, and CornerMap's, of rounded corners, in corner_scenes.cpp.
 template <class Map>
 std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_dynamics_in_double(const Scene<double>& scene);
 /// The dynamics by another map (rounded_dynamics.hpp): CollisionMap over long double or Quad, compiled in
@@ -69,6 +69,9 @@ std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_rounded
 #define SWIRL_COMPILE_DRAGGED_DYNAMICS(T, SHAPE, RULE)                      \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
     make_dynamics_in_double<DraggedMap<T, SHAPE, RULE>>(const Scene<double>&);
+#define SWIRL_COMPILE_CORNER_DYNAMICS(T, SHAPE, RULE)                       \
+    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
+    make_dynamics_in_double<CornerMap<T, SHAPE, RULE>>(const Scene<double>&);
 #define SWIRL_COMPILE_ROUNDED_DYNAMICS(T, SHAPE, RULE)                      \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
     make_rounded_dynamics<CollisionMap<T, SHAPE, RULE>>(const Scene<double>&, Accuracy);

@@ -3,6 +3,7 @@
 #include "apps/studies/scene_map/scene_dynamics.hpp"
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/baselines/baseline_map.hpp"
+#include "map/corners/corner_map.hpp"
 #include "map/dragged/dragged_map.hpp"
 #include "map/numbers/quad.hpp"
 
@@ -28,6 +29,15 @@ Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<do
             throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
                                         " is not extended to a floor that drags; double is wanted");
         return make_dynamics_in_double<DraggedMap<double, shape, rule>>(scene);
+    }
+    if (scene.is_rounded()) {
+        if (accuracy != Accuracy::double_precision)
+            throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
+                                        " is not extended to rounded corners; double is wanted");
+        if constexpr (shape == Shape::polygon)
+            return make_dynamics_in_double<CornerMap<double, shape, rule>>(scene);
+        else
+            throw std::logic_error("a disk has no corners");
     }
     switch (accuracy) {
         case Accuracy::double_precision:

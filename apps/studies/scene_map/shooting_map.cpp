@@ -17,7 +17,7 @@ constexpr double least_impact_speed = detail::least_impact_speed;
 
 /// u_n before the impact, from the state after it: C = −u_n changes by B₂p + B₃q.
 double impact_speed(const Body<double>& body, const Collision<double>& collision) {
-    const ContactKinematics<double> after = contact_kinematics(body, collision.after);
+    const ContactKinematics<double> after = kinematics_of(body, collision.after);
     return after.un + after.b2() * collision.impulse.normal + after.b3() * collision.impulse.tangential;
 }
 
@@ -74,10 +74,14 @@ struct MapAlongParameter {
     bool on_surface = false;
 
     SceneMap<D> at(double p) const { return typical.with(with_parameter(scene, parameter, p)); }
+    bool has(double p) const {
+        const Scene<double> there = with_parameter(scene, parameter, p);
+        return is_allowed(parameter, p) && (!there.is_rounded() || there.corner < there.alpha);
+    }
 
     analysis::ShootingStep operator()(const Eigen::VectorXd& z, double p) const {
         analysis::ShootingStep step;
-        if (!is_allowed(parameter, p)) return step;
+        if (!has(p)) return step;
         const SceneMap<D> map = at(p);
         const WallState<D> begin = begin_of(map, z, on_surface);
         analysis::Vector<D> along = begin.along(parameter);
@@ -150,17 +154,19 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
 }
 
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter, Accuracy accuracy) {
-    // Along μ there is friction, whatever this scene's own μ, and so with drag and tangential restitution.
+    // Along μ there is friction, whatever this scene's own μ, and so with drag, tangential restitution and r.
     const bool may_vanish =
         parameter == Parameter::mu || parameter == Parameter::drag || parameter == Parameter::tangential_restitution;
-    const Scene<double> typical = may_vanish ? with_parameter(scene, parameter, 1.0) : scene;
+    const Scene<double> typical = may_vanish                       ? with_parameter(scene, parameter, 1.0)
+                                  : parameter == Parameter::corner ? with_parameter(scene, parameter, scene.alpha / 2)
+                                                                   : scene;
     return with_scene_map(
         typical,
         [&]<int D>(const SceneMap<D>& map) {
             analysis::ShootingMap result{coordinates_for(map)};
             result.has_parameter = true;
             result.step = MapAlongParameter<D>{map, typical, parameter};
-            if (scene.restitution == 0 && parameter != Parameter::restitution)
+            if (scene.restitution == 0 && parameter != Parameter::restitution && !typical.is_rounded())
                 result.step_from_surface = MapAlongParameter<D>{map, typical, parameter, true};
             return result;
         },
@@ -178,6 +184,7 @@ bool is_allowed(Parameter parameter, double value) {
             return value > 0 && detail::is_holdable(value);
         case Parameter::drag:
             return value >= 0 && value <= largest_drag && detail::is_holdable(value);
+        case Parameter::corner:  // below α, which the map's own range says
         case Parameter::beta:
         case Parameter::mu:
             break;

@@ -142,7 +142,7 @@ class Command(InFolder):
         self.assertIn("no window was finished\nin-contact; 0 impacts", table)
 
     def test_what_can_not_change_is_refused_with_the_reason(self):
-        for along, reason in (("alpha=0.3:0.4", "vertices"), ("sides=3:4", "no number that changes continuously"), ("law=1:2", "continuously"),
+        for along, reason in (("alpha=0.3:0.4", "vertices"), ("corner=0:0.1", "the body"), ("sides=3:4", "no number that changes continuously"), ("law=1:2", "continuously"),
                               ("inertia-factor=0.4:0.5", "the body"), ("swirl-rate=1:2", "unit of time"), ("gamma=0:1", "none of"),
                               ("beta=0.4", "NAME=A:B"), ("beta=0.4:0.4", "differ"), ("mu=0.5:-1", "mu = -1"), ("restitution=0.9:1.1", "1.1")):
             self.refused(f"ramp {STEADY} --along {along} --rate 1e-3", reason)

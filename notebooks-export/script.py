@@ -47,10 +47,16 @@ def load_figures():
 NUMBERS_OF_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
+def _on_signals(action):
+    """`swirl` holds them back until then, so that none ends Python's own start in a traceback."""
+    for number in NUMBERS_OF_SIGNALS:
+        signal.signal(number, action)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS_OF_SIGNALS)
+
+
 def leave_at_once_when_interrupted():
     """While nothing is on disk."""
-    for number in NUMBERS_OF_SIGNALS:
-        signal.signal(number, lambda *_: os._exit(130))
+    _on_signals(lambda *_: os._exit(130))
 
 
 def leave_when_interrupted():
@@ -59,8 +65,7 @@ def leave_when_interrupted():
         for number in NUMBERS_OF_SIGNALS:
             signal.signal(number, signal.SIG_IGN)
         sys.exit(130)
-    for number in NUMBERS_OF_SIGNALS:
-        signal.signal(number, leave)
+    _on_signals(leave)
 
 
 def hold_interruptions():

@@ -62,8 +62,14 @@ void become_python(const std::filesystem::path& script, const std::vector<std::s
     std::vector<char*> argv;
     for (auto& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
+    // Held back until the script has its own way with them (notebooks-export/script.py): Python's start has another.
+    sigset_t interruptions, before;
+    ::sigemptyset(&interruptions);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, number);
+    ::sigprocmask(SIG_BLOCK, &interruptions, &before);
     ::execv(argv[0], argv.data());
     const std::string reason = system_reason();
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
     throw BadInput(fmt::format("cannot run {} ({}); figures need the Debian packages {}", words[0], reason, packages));
 }
 

@@ -211,7 +211,8 @@ std::optional<Vector2d> first_gravity(const FilmArcs& straight) {
     constexpr double near = 0.1;  // of g: a drag and noise change it by about as much
     std::vector<Acceleration> all;
     const std::size_t usual = bent_length(straight);
-    for (std::size_t length = 2 * usual; length >= least_stretch && 2 * length >= usual; length = 3 * length / 4) {
+    // Down to the shortest: of a precise film what is straight for long lies still, and what falls is cut to pairs.
+    for (std::size_t length = 2 * usual; length >= least_stretch; length = 3 * length / 4) {
         const std::vector<Acceleration> some = stretches(straight, length);
         all.insert(all.end(), some.begin(), some.end());
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace swirl::analysis {
@@ -142,13 +143,17 @@ WeighedImpacts merged_impacts(std::span<const MeasuredImpact> impacts, std::span
         MeasuredImpact mean;
         mean.before.setZero(), mean.after.setZero(), mean.offset.setZero();
         Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;  // squared errors
+        std::optional<ImpactCovariance> covariance = impacts[group.members.front()].covariance;
+        if (covariance) covariance->setZero();
         for (const std::size_t i : group.members) {
             const double share = (is_drawn ? weights[i] : 1) / count;
             mean.before += share * impacts[i].before, mean.after += share * impacts[i].after;
             mean.offset += share * impacts[i].offset;
+            if (covariance) *covariance += share * impacts[i].covariance.value();
             before += share * impacts[i].error_before.cwiseAbs2(), after += share * impacts[i].error_after.cwiseAbs2();
         }
         const double share = 1 / count + common_error * common_error * static_cast<double>(group.parts);
+        if (covariance) mean.covariance = share * *covariance;
         mean.error_before = (share * before).cwiseSqrt(), mean.error_after = (share * after).cwiseSqrt();
         merged.impacts.push_back(mean);
         merged.weights.push_back(is_drawn ? 1 : 0);

@@ -374,43 +374,46 @@ FilmArcs with_noise_of(const FilmArcs& film, const std::vector<bool>& counts) {
     return other;
 }
 
-std::vector<Kink> kinks_of(const FilmArcs& film) {
+Kink kink_between(const FilmArcs& film, const FreeArc& before, const FreeArc& after) {
     const Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
+    const double middle = (before.end + after.start) / 2;
+    const auto apart = [&](double time) -> Vector3d { return (before.at(time) - after.at(time)).cwiseQuotient(noise); };
+    Kink kink;
+    kink.earliest = before.end, kink.latest = after.start;
+    Vector3d bend = (before.velocity_at(middle) - after.velocity_at(middle)).cwiseQuotient(noise);
+    kink.time = middle - apart(middle).dot(bend) / bend.squaredNorm();  // the distance is linear in the time
+    if (film.drags.any()) {                                             // nearly
+        bend = (before.velocity_at(kink.time) - after.velocity_at(kink.time)).cwiseQuotient(noise);
+        kink.time -= apart(kink.time).dot(bend) / bend.squaredNorm();
+    }
+    const double a = before.share(kink.time), b = after.share(kink.time);
+    kink.error = std::sqrt((a + b) / bend.squaredNorm());
+    const Vector3d off = apart(kink.time);
+    kink.distance = off.squaredNorm() / (a + b);
+    constexpr double of_noise = 1.386294;  // median of χ² with 2 degrees of freedom
+    kink.apart_for = (off.squaredNorm() - of_noise * (a + b)) / bend.squaredNorm();
+    if (film.impact_time > 0) {
+        const Vector3d lasting = film.impact_time * bend;
+        kink.distance = off.cwiseAbs2().cwiseQuotient((lasting.cwiseAbs2().array() + a + b).matrix()).sum();
+        kink.error = std::hypot(kink.error, film.impact_time);
+    }
+    kink.velocity_before = film.velocity_on(before, kink.time);
+    kink.velocity_after = film.velocity_on(after, kink.time);
+    kink.place = (film.place_on(before, kink.time) / a + film.place_on(after, kink.time) / b) / (1 / a + 1 / b);
+    kink.share = 1 / (1 / a + 1 / b);
+    kink.change = kink.velocity_after - kink.velocity_before;
+    kink.drift = (kink.velocity_before / a + kink.velocity_after / b) / (1 / a + 1 / b);
+    kink.change_share = before.velocity_share(kink.time) + after.velocity_share(kink.time);
+    return kink;
+}
+
+std::vector<Kink> kinks_of(const FilmArcs& film) {
     std::vector<Kink> kinks;
     for (std::size_t k = 0; k + 1 < film.arcs.size(); ++k) {
         const FreeArc &before = film.arcs[k], &after = film.arcs[k + 1];
         if (before.count < fewest_frames || after.count < fewest_frames || after.after_gap) continue;
-        const double middle = (before.end + after.start) / 2;
-        const auto apart = [&](double time) -> Vector3d {
-            return (before.at(time) - after.at(time)).cwiseQuotient(noise);
-        };
-        Kink kink;
-        kink.before = k, kink.earliest = before.end, kink.latest = after.start;
-        Vector3d bend = (before.velocity_at(middle) - after.velocity_at(middle)).cwiseQuotient(noise);
-        kink.time = middle - apart(middle).dot(bend) / bend.squaredNorm();  // the distance is linear in the time
-        if (film.drags.any()) {                                             // nearly
-            bend = (before.velocity_at(kink.time) - after.velocity_at(kink.time)).cwiseQuotient(noise);
-            kink.time -= apart(kink.time).dot(bend) / bend.squaredNorm();
-        }
-        const double a = before.share(kink.time), b = after.share(kink.time);
-        kink.error = std::sqrt((a + b) / bend.squaredNorm());
-        const Vector3d off = apart(kink.time);
-        kink.distance = off.squaredNorm() / (a + b);
-        constexpr double of_noise = 1.386294;  // median of χ² with 2 degrees of freedom
-        kink.apart_for = (off.squaredNorm() - of_noise * (a + b)) / bend.squaredNorm();
-        if (film.impact_time > 0) {
-            const Vector3d lasting = film.impact_time * bend;
-            kink.distance = off.cwiseAbs2().cwiseQuotient((lasting.cwiseAbs2().array() + a + b).matrix()).sum();
-            kink.error = std::hypot(kink.error, film.impact_time);
-        }
-        kink.velocity_before = film.velocity_on(before, kink.time);
-        kink.velocity_after = film.velocity_on(after, kink.time);
-        kink.place = (film.place_on(before, kink.time) / a + film.place_on(after, kink.time) / b) / (1 / a + 1 / b);
-        kink.share = 1 / (1 / a + 1 / b);
-        kink.change = kink.velocity_after - kink.velocity_before;
-        kink.drift = (kink.velocity_before / a + kink.velocity_after / b) / (1 / a + 1 / b);
-        kink.change_share = before.velocity_share(kink.time) + after.velocity_share(kink.time);
-        kinks.push_back(kink);
+        kinks.push_back(kink_between(film, before, after));
+        kinks.back().before = k;
     }
     return kinks;
 }

@@ -181,6 +181,8 @@ struct Kink {
 
 /// Kinks of lines with `fewest_frames` or more on both, none across gaps.
 std::vector<Kink> kinks_of(const FilmArcs& film);
+/// That of two lines of the film, or of others as long.
+Kink kink_between(const FilmArcs& film, const FreeArc& before, const FreeArc& after);
 inline constexpr std::size_t fewest_frames = 3;
 
 }  // namespace swirl::analysis

@@ -38,6 +38,31 @@ LawStep step_from(const MeasuredImpact& impact, const Eigen::Vector3d& before, d
     return step;
 }
 
+/// The derivative of the law's v⁺ by r, by differences.
+Matrix32 slopes_by_offset(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
+                          const LawParameters& parameters) {
+    constexpr double share = 1e-5;  // of |r|: the rest is of the order of its square
+    const double step = share * impact.offset.norm();
+    Matrix32 slopes = Matrix32::Zero();
+    if (!(step > 0)) return slopes;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        MeasuredImpact to = impact, from = impact;
+        to.offset[axis] += step, from.offset[axis] -= step;
+        slopes.col(axis) = (step_from(to, impact.before, inertia, law, parameters).after -
+                            step_from(from, impact.before, inertia, law, parameters).after) /
+                           (2 * step);
+    }
+    return slopes;
+}
+
+/// Of v⁺ − law(v⁻, r).
+Eigen::Matrix3d full_covariance(const ImpactCovariance& errors, const Eigen::Matrix3d& by_before,
+                                const Matrix32& by_offset) {
+    Eigen::Matrix<double, 3, 8> slopes;
+    slopes << -by_before, Eigen::Matrix3d::Identity(), -by_offset;
+    return slopes * errors * slopes.transpose();
+}
+
 Eigen::Matrix3d covariance_of(const MeasuredImpact& impact, const Eigen::Matrix3d& by_before) {
     Eigen::Matrix3d covariance = by_before * impact.error_before.cwiseAbs2().asDiagonal() * by_before.transpose();
     covariance.diagonal() += impact.error_after.cwiseAbs2();
@@ -90,7 +115,11 @@ MeasuredImpact with_fixed_weights(const MeasuredImpact& impact, double inertia, 
                                   const std::optional<LawParameters>& parameters) {
     Eigen::Matrix3d by_before = Eigen::Matrix3d::Identity();
     if (parameters) by_before = step_from(impact, impact.before, inertia, law, *parameters).by_before;
-    const Eigen::LLT<Eigen::Matrix3d> root(covariance_of(impact, by_before));
+    Eigen::Matrix3d covariance = covariance_of(impact, by_before);
+    if (impact.covariance && parameters)
+        covariance =
+            full_covariance(*impact.covariance, by_before, slopes_by_offset(impact, inertia, law, *parameters));
+    const Eigen::LLT<Eigen::Matrix3d> root(covariance);
     MeasuredImpact weighed = impact;
     weighed.whitening = root.matrixL().solve(Eigen::Matrix3d::Identity());
     return weighed;
@@ -100,7 +129,11 @@ Prediction predict(const MeasuredImpact& impact, double inertia, const ImpactLaw
                    const LawParameters& parameters) {
     const LawStep step = step_from(impact, impact.before, inertia, law, parameters);
     const Eigen::Vector3d left = impact.after - step.after;
-    return {step.after, left.dot(covariance_of(impact, step.by_before).llt().solve(left))};
+    const Eigen::Matrix3d covariance =
+        impact.covariance
+            ? full_covariance(*impact.covariance, step.by_before, slopes_by_offset(impact, inertia, law, parameters))
+            : covariance_of(impact, step.by_before);
+    return {step.after, left.dot(covariance.llt().solve(left))};
 }
 
 namespace {

@@ -13,11 +13,17 @@
 
 namespace swirl::analysis {
 
+/// Covariance of (before, after, offset).
+using ImpactCovariance = Eigen::Matrix<double, 8, 8>;
+
 struct MeasuredImpact {
     Eigen::Vector3d before, after;  ///< (v_x, v_y, S)
     Eigen::Vector2d offset;         ///< r, from the centre to the contact
     /// Standard errors of `before` and `after`, in any common unit: fits find the scale.
     Eigen::Vector3d error_before = Eigen::Vector3d::Ones(), error_after = Eigen::Vector3d::Ones();
+    /// Where errors go together, as of velocities that are those at one time, with an offset that the body's angle
+    /// turns: `error_before` and `error_after` are its diagonal's roots. None: they are independent, r is exact.
+    std::optional<ImpactCovariance> covariance;
     /// C^(−1/2) of the prediction's error, fixed: the misfit is this times v⁺ − law(v⁻), see with_fixed_weights().
     std::optional<Eigen::Matrix3d> whitening;
 };

@@ -35,44 +35,57 @@ Eigen::Vector2d products_of(const MeasuredImpact& impact) {
 double torque_of(const MeasuredImpact& impact) {
     return products_of(impact).sum();
 }
-Eigen::Vector3d variance_of_change(const MeasuredImpact& impact) {
-    return impact.error_before.cwiseAbs2() + impact.error_after.cwiseAbs2();
-}
-double torque_variance(const MeasuredImpact& impact) {
-    const Eigen::Vector3d variance = variance_of_change(impact);
-    return impact.offset[0] * impact.offset[0] * variance[1] + impact.offset[1] * impact.offset[1] * variance[0];
-}
+
+/// The variance of the balance's residual, torque + cross k + spin k².
+struct BalanceVariance {
+    double torque = 0, cross = 0, spin = 0;
+
+    explicit BalanceVariance(const MeasuredImpact& impact) {
+        const Eigen::Vector2d& r = impact.offset;
+        if (!impact.covariance) {
+            const Eigen::Vector3d change = impact.error_before.cwiseAbs2() + impact.error_after.cwiseAbs2();
+            torque = r[0] * r[0] * change[1] + r[1] * r[1] * change[0], spin = change[2];
+            return;
+        }
+        const Eigen::Vector3d change = change_of(impact);
+        Eigen::Matrix<double, 8, 1> by_torque, by_spin;
+        by_torque << r[1], -r[0], 0, -r[1], r[0], 0, change[1], -change[0];
+        by_spin << 0, 0, 1, 0, 0, -1, 0, 0;
+        torque = by_torque.dot(*impact.covariance * by_torque);
+        cross = 2 * by_torque.dot(*impact.covariance * by_spin);
+        spin = by_spin.dot(*impact.covariance * by_spin);
+    }
+    double at(double inertia) const { return torque + inertia * cross + inertia * inertia * spin; }
+};
 
 /// The residual of the balance in its standard deviations.
 double balance_residual(const MeasuredImpact& impact, double inertia) {
-    const double variance = torque_variance(impact) + inertia * inertia * variance_of_change(impact)[2];
-    return (torque_of(impact) - inertia * change_of(impact)[2]) / std::sqrt(variance);
+    return (torque_of(impact) - inertia * change_of(impact)[2]) / std::sqrt(BalanceVariance(impact).at(inertia));
 }
 
 /// The same as a function of ln k. (Ceres asks for a class.)
 class BalanceResidual final : public ceres::CostFunction {
 public:
     explicit BalanceResidual(const MeasuredImpact& impact)
-        : torque_(torque_of(impact)),
-          spin_(change_of(impact)[2]),
-          torque_variance_(torque_variance(impact)),
-          spin_variance_(variance_of_change(impact)[2]) {
+        : torque_(torque_of(impact)), spin_(change_of(impact)[2]), variance_(impact) {
         set_num_residuals(1);
         mutable_parameter_block_sizes()->push_back(1);
     }
     bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
         constexpr double largest = 150;  // beyond any k; impacts of which none changes the spin ask for more and more
         const double k = std::exp(std::clamp(blocks[0][0], -largest, largest));
-        const double variance = torque_variance_ + k * k * spin_variance_, error = std::sqrt(variance);
+        const double variance = variance_.at(k), error = std::sqrt(variance);
         const double left = torque_ - k * spin_;
         residuals[0] = left / error;
         if (jacobians != nullptr && jacobians[0] != nullptr)
-            jacobians[0][0] = -k * spin_ / error - left * k * k * spin_variance_ / (variance * error);
+            jacobians[0][0] = -k * spin_ / error -
+                              (left * k * variance_.cross / 2 + left * k * k * variance_.spin) / (variance * error);
         return std::isfinite(residuals[0]);
     }
 
 private:
-    double torque_, spin_, torque_variance_, spin_variance_;
+    double torque_, spin_;
+    BalanceVariance variance_;
 };
 
 double balance_scale(std::span<const MeasuredImpact> impacts, std::span<const double> weights, double inertia) {
@@ -88,8 +101,7 @@ double balance_scale(std::span<const MeasuredImpact> impacts, std::span<const do
 double least_scale(std::span<const MeasuredImpact> impacts, double inertia) {
     std::vector<double> sizes;
     for (const MeasuredImpact& impact : impacts) {
-        const double variance = torque_variance(impact) + inertia * inertia * variance_of_change(impact)[2];
-        sizes.push_back(std::abs(torque_of(impact)) / std::sqrt(variance));
+        sizes.push_back(std::abs(torque_of(impact)) / std::sqrt(BalanceVariance(impact).at(inertia)));
     }
     return 1e-7 * quantile(std::move(sizes), 0.5) + 1e-100;
 }
@@ -204,6 +216,11 @@ MeasuredImpact with_signs(const MeasuredImpact& impact, const MomentumSigns& sig
     for (Eigen::Vector3d* velocity : {&cured.before, &cured.after}) {
         (*velocity)[0] *= signs.tangent;
         (*velocity)[2] *= signs.spin;
+    }
+    if (impact.covariance) {
+        Eigen::Matrix<double, 8, 1> senses;
+        senses << signs.tangent, 1, signs.spin, signs.tangent, 1, signs.spin, 1, 1;
+        cured.covariance = senses.asDiagonal() * *impact.covariance * senses.asDiagonal();
     }
     return cured;
 }

@@ -39,6 +39,11 @@ MeasuredImpact in_units(const MeasuredImpact& impact, const NaturalUnits& units)
     for (Eigen::Vector3d* velocity : {&scaled.before, &scaled.after, &scaled.error_before, &scaled.error_after})
         *velocity = velocity->cwiseProduct(of_velocity);
     scaled.offset /= units.length;
+    if (impact.covariance) {
+        Eigen::Matrix<double, 8, 1> all;
+        all << of_velocity, of_velocity, Eigen::Vector2d::Constant(1 / units.length);
+        scaled.covariance = all.asDiagonal() * *impact.covariance * all.asDiagonal();
+    }
     return scaled;
 }
 

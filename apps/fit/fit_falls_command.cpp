@@ -3,12 +3,14 @@
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/fit/fit_notes.hpp"
+#include "map/model/scene.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +21,27 @@ namespace {
 
 using studies::FallsFitOutcome;
 using studies::KinkUse;
+
+/// Of a body with so many sides.
+double side_of(const studies::BodyOnPlate& body, double radius) {
+    return 2 * body.size * radius * std::sin(std::numbers::pi / body.sides);
+}
+
+std::string size_in_words(const studies::BodyOnPlate& body, double radius) {
+    const double side = side_of(body, radius) / body.size;
+    return fmt::format(
+        "vertices lie on the plate with --side {:.4g} +- {:.1g} (--polygon-radius {:.4g}), not with {:.4g} (robust "
+        "standard deviation off it {:.2g}, by noise {:.2g})",
+        side_of(body, radius), side * body.error, body.size * radius, side, body.scatter * radius,
+        body.expected * radius);
+}
+
+std::string shape_in_words(const studies::BodyOnPlate& shape, double radius) {
+    if (shape.sides == disk_sides)
+        return fmt::format("they are on one as --sides disk is, off it by {:.2g}", shape.scatter * radius);
+    return fmt::format("they are on one with --sides {} --side {:.4g}, off it by {:.2g}", shape.sides,
+                       side_of(shape, radius), shape.scatter * radius);
+}
 
 void require_fitted(const studies::FallsFit& falls, double radius) {
     const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
@@ -36,6 +59,14 @@ void require_fitted(const studies::FallsFit& falls, double radius) {
         case FallsFitOutcome::falls_up:
             throw BadInput(fmt::format("falls: bodies fall towards larger y, by {:.4g} per time squared; give --y-down",
                                        radius * falls.fall.model.gravity[1]));
+        case FallsFitOutcome::another_size:
+            refuse(size_in_words(*falls.body, radius) + "; --side, --polygon-radius or --scale is not the films'");
+            break;
+        case FallsFitOutcome::another_shape:
+            refuse(fmt::format("impacts are on no common straight plate with the --sides that are given{}: {}",
+                               falls.body ? fmt::format(" (off it by {:.2g})", falls.body->scatter * radius) : "",
+                               shape_in_words(*falls.shape, radius)));
+            break;
         case FallsFitOutcome::few_kinks:
             refuse(
                 fmt::format("too few of {} frames or more meet; {} or more impacts are needed, with {} frames between "
@@ -72,6 +103,15 @@ void note_inertia(std::vector<std::string>& notes, const FallsReport& report) {
         found.value, found.low, found.high, found.value / uniform, uniform));
 }
 
+void note_size(std::vector<std::string>& notes, const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    if (!studies::has_another_size(falls, studies::least_fallen_size_error)) return;
+    notes.push_back(fmt::format("{}: {}", size_in_words(*falls.body, report.source.body.radius),
+                                falls.body->is_sharp()
+                                    ? "--side or --scale is not the films', and e and mu are off by some of that"
+                                    : "corners may be round, or --side or --scale is not the films'"));
+}
+
 void note_left_out(std::vector<std::string>& notes, const studies::FallsFit& falls) {
     const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
     const std::size_t twice = count(KinkUse::no_meeting) + count(KinkUse::two_vertices);
@@ -102,6 +142,7 @@ FitReport fit_of_falls(FilmOptions& film, const FallsOptions& options, const ana
     report.notes = falls.source.notes;
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+    note_size(report.notes, falls);
     note_inertia(report.notes, falls);
     note_left_out(report.notes, falls.falls);
     report.settings = {{"columns", film.series.flags()},

@@ -2,8 +2,11 @@
 
 #include "analysis/fits/natural_units.hpp"
 #include "analysis/fits/robust.hpp"
+#include "apps/studies/fits/impact_errors.hpp"
 #include "apps/studies/fits/impact_laws.hpp"
 #include "apps/studies/fits/noisier_films.hpp"
+#include "apps/studies/fits/shown_body.hpp"
+#include "map/model/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,10 +90,15 @@ void find_plate(FallsFit& falls, const FilmedScene& scene) {
     }
     const std::vector<Kink> kinks = analysis::kinks_of(falls.arcs);
     constexpr int rounds = 3;
+    constexpr double most_error =
+        0.025;  // R_p: where noise has bent an arc, lines meet anywhere, also within 4 of these
     for (int round = 0; round < rounds; ++round) {
         falls.impacts = film_impacts(falls.arcs, kinks, scene, on_plate(scene, falls.plate));
-        for (FilmImpact& found : falls.impacts)
-            if (found.use == KinkUse::used && !is_free(found.kink)) found.use = KinkUse::stays_on_wall;
+        for (FilmImpact& found : falls.impacts) {
+            if (found.use != KinkUse::used) continue;
+            if (!is_free(found.kink)) found.use = KinkUse::stays_on_wall;
+            if (errors_of(found.kink, noise, scene, found.contact).across > most_error) found.use = KinkUse::no_meeting;
+        }
         const std::vector<Kink> used = used_kinks(falls);
         if (used.size() < fewest_kinks) break;
         if (round + 1 < rounds) falls.plate = refined_plate(used, {}, noise, scene, falls.plate);
@@ -160,14 +168,17 @@ FallsFit by_pieces(const FallsFit& divided, std::size_t longest, const FilmedSce
 /// noise so many times as large, and the pieces of arcs are so long, that the most impacts can be used, of those whose
 /// frames are within twice the tracker's own noise; the finer division and the longer pieces where the others do not
 /// give a tenth more.
-FallsFit best_divided(const OneFilm& film, double period, const FallenBody& body, analysis::FallSettings settings) {
+FallsFit best_divided(const OneFilm& film, double period, const FallenBody& body, analysis::FallSettings settings,
+                      bool looks_for_body) {
     const FilmedScene scene = scene_of(body);
     FallsFit best;
     best.starts = film.starts, best.outcome = FallsFitOutcome::no_gravity;
     constexpr double factors[] = {1, 3, 10, 30};
     constexpr std::size_t lengths[] = {100'000, 20, 10};  // frames
     constexpr double better = 1.1, wide = 2;
-    double most = -1;
+    double most = -1, most_worth = -1;
+    std::optional<BodyOnPlate> shown;
+    analysis::FilmArcs shown_by;
     analysis::FilmArcs finest;
     for (const double factor : factors) {
         if (factor > 1)
@@ -187,10 +198,16 @@ FallsFit best_divided(const OneFilm& film, double period, const FallenBody& body
         for (const std::size_t longest : lengths) {
             const FallsFit other = by_pieces(divided, longest, scene, settings.gravity.has_value());
             const auto used = static_cast<double>(other.counts[static_cast<std::size_t>(KinkUse::used)]);
+            if (looks_for_body) {
+                const auto seen = shown_body(other.arcs, scene);
+                if (worth_of(seen) > most_worth || shown_by.arcs.empty())
+                    shown = seen, shown_by = other.arcs, most_worth = worth_of(seen);
+            }
             const bool is_bent = other.arcs.place_noise > wide * finest.place_noise;
             if (most < 0 || (!is_bent && used > better * most)) best = other, most = used;
         }
     }
+    if (looks_for_body) best.body = shown, best.shape = nearer_shape(shown_by, scene);
     return best;
 }
 
@@ -244,6 +261,24 @@ std::vector<std::vector<analysis::MeasuredImpact>> with_other_falls(const FallsF
     return moved;
 }
 
+/// With their errors, those of the fall included.
+std::vector<analysis::MeasuredImpact> measured_impacts(const FallsFit& falls, const std::vector<Kink>& used,
+                                                       const FilmedScene& scene, double radius,
+                                                       std::span<const std::vector<analysis::MeasuredImpact>> fallen) {
+    auto impacts = impacts_at(falls.arcs, used, scene, on_plate(scene, falls.plate));
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        impacts[i].covariance = impact_covariance(falls.arcs, used[i], scene, falls.plate);
+        impacts[i] = analysis::from_units(impacts[i], {radius, radius});
+        add_common_errors(impacts[i], i, fallen);
+    }
+    return impacts;
+}
+
+void take_errors(analysis::MeasuredImpact& impact, const analysis::MeasuredImpact& of) {
+    impact.error_before = of.error_before, impact.error_after = of.error_after;
+    impact.covariance = of.covariance;
+}
+
 /// What a law is fitted to.
 struct Impacts {
     std::vector<Kink> kinks;
@@ -263,12 +298,12 @@ LawOfFalls fit_law(const FallsFit& falls, const Impacts& used, const FilmedScene
     settings.stated_errors = settings.fixed_weights = true;
     settings.signs_known = true;  // with another sense of the angle no plate would have been found
     const FilmNoise noise = noise_of(falls.arcs);
-    const auto impacts = impacts_on(falls.arcs, used.kinks, scene, falls.plate, body.radius);
+    const auto fallen = with_other_falls(falls, used.kinks, scene, body.radius);
+    const auto impacts = measured_impacts(falls, used.kinks, scene, body.radius, fallen);
     LawOfFalls law;
     law.groups = fitted_groups(impacts);
     law.by_falls = shown_falls(used.fall_of) >= fewest_drawn_falls;
     const std::vector<analysis::AlikeImpacts>& groups = law.groups.groups;
-    const auto fallen = with_other_falls(falls, used.kinks, scene, body.radius);
     settings.resampled = [&](std::uint64_t index) {
         const std::vector<double> weights = drawn_kinks(used.fall_of, law.by_falls, settings.seed, index);
         constexpr std::uint64_t falls_after = 1ULL << 24;  // beyond the draws for clouds
@@ -276,6 +311,7 @@ LawOfFalls fit_law(const FallsFit& falls, const Impacts& used, const FilmedScene
         auto seen = impacts_on(falls.arcs, used.kinks, scene, plate, body.radius);
         for (std::size_t k = 0; k < fallen.size(); ++k)
             add_share(seen, analysis::normal_draws(settings.seed, falls_after + index, k)[0], fallen[k], impacts);
+        for (std::size_t i = 0; i < seen.size(); ++i) take_errors(seen[i], impacts[i]);
         analysis::WeighedImpacts drawn = analysis::merged_impacts(seen, weights, groups);
         analysis::move_clouds(drawn, groups, settings.seed, index);
         return drawn;
@@ -293,13 +329,20 @@ Impacts used_impacts(const FallsFit& falls) {
 }
 
 FallsFit fit_once(const OneFilm& film, double period, const FallenBody& body, const FallsSetting& setting,
-                  const analysis::ImpactFitSettings& settings) {
+                  const analysis::ImpactFitSettings& settings, bool looks_for_body) {
     const FilmedScene scene = scene_of(body);
     analysis::FallSettings known;
     known.least_noise = setting.least_noise;
     known.least_noise.head<2>() /= body.radius;
     if (setting.gravity) known.gravity = Vector2d(0, -*setting.gravity / body.radius);
-    FallsFit falls = best_divided(film, period, body, known);
+    FallsFit falls = best_divided(film, period, body, known, looks_for_body);
+    double least = least_fallen_size_error;
+    if (falls.outcome == FallsFitOutcome::fitted && falls.body)
+        least = falls.body->is_sharp() ? most_fallen_size_error : most_round_size_error;
+    if (falls.shape)
+        falls.outcome = FallsFitOutcome::another_shape;
+    else if (has_another_size(falls, least))
+        falls.outcome = FallsFitOutcome::another_size;
     if (falls.outcome != FallsFitOutcome::fitted) return falls;
     LawOfFalls law = fit_law(falls, used_impacts(falls), scene, body, settings);
     falls.fit = std::move(law.fit);
@@ -330,6 +373,13 @@ SubsetFit subset(const std::string& name, const FallsFit& falls, const FallenBod
 
 }  // namespace
 
+bool has_another_size(const FallsFit& falls, double least) {
+    constexpr double surely = 5;  // standard errors
+    if (!falls.body) return false;
+    const double off = std::abs(falls.body->size - 1);
+    return off > surely * falls.body->error && off > least;
+}
+
 std::size_t FallsFit::fall_at(double time) const {
     const auto after = std::upper_bound(starts.begin(), starts.end(), time);
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - starts.begin())) - 1;
@@ -338,7 +388,7 @@ std::size_t FallsFit::fall_at(double time) const {
 FallsFit fit_falls(const std::vector<FallFrames>& all, double period, const FallenBody& body,
                    const FallsSetting& setting, const analysis::ImpactFitSettings& settings) {
     OneFilm film = in_a_row(all, body.radius);
-    FallsFit falls = fit_once(film, period, body, setting, settings);
+    FallsFit falls = fit_once(film, period, body, setting, settings, true);
     if (falls.outcome != FallsFitOutcome::fitted || settings.resamples == 0) return falls;
     analysis::ImpactFitSettings values_alone = settings;
     values_alone.resamples = 0;
@@ -346,7 +396,7 @@ FallsFit fit_falls(const std::vector<FallFrames>& all, double period, const Fall
     const OneFilm as_measured = film;
     for (std::size_t draw = 0; draw < noisier_films; ++draw) {
         film.frames = with_more_noise(as_measured.frames, falls.tracker_noise, settings.seed, draw);
-        const FallsFit other = fit_once(film, period, body, setting, values_alone);
+        const FallsFit other = fit_once(film, period, body, setting, values_alone, false);
         if (other.outcome == FallsFitOutcome::fitted) noisier.push_back(other.fit);
     }
     const NoiseShift shift = add_noise_shift(falls.fit, noisier);

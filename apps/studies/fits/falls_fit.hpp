@@ -33,12 +33,14 @@ struct FallsSetting {
 
 enum class FallsFitOutcome {
     fitted,
-    no_gravity,   ///< no arcs that bend alike were found
-    falls_up,     ///< gravity points along +y: so does the image's axis
-    few_kinks,    ///< fewer than `fewest_kinks` meet
-    no_plate,     ///< fewer than `analysis::fewest_impacts` can be used, and most kinks are on no common plate
-    few_impacts,  ///< fewer than `analysis::fewest_impacts` can be used
-    no_law        ///< see `fit.outcome`
+    no_gravity,     ///< no arcs that bend alike were found
+    falls_up,       ///< gravity points along +y: so does the image's axis
+    another_size,   ///< bodies lie on the plate with another size (has_another_size)
+    another_shape,  ///< or with another number of sides
+    few_kinks,      ///< fewer than `fewest_kinks` meet
+    no_plate,       ///< fewer than `analysis::fewest_impacts` can be used, and most kinks are on no common plate
+    few_impacts,    ///< fewer than `analysis::fewest_impacts` can be used
+    no_law          ///< see `fit.outcome`
 };
 
 /// e and μ of a part of the impacts.
@@ -58,6 +60,8 @@ struct FallsFit {
     Eigen::Matrix3d tracker_noise = Eigen::Matrix3d::Zero();  ///< FilmArcs::noise of the finest division
     std::size_t longest = 0;                                  ///< frames of a piece of an arc, by which velocities are
     Plate plate;
+    std::optional<BodyOnPlate> body;              ///< as the film shows it, with the given sides
+    std::optional<BodyOnPlate> shape;             ///< with other sides that are surely nearer to the plate
     std::vector<FilmImpact> impacts;              ///< one a kink
     std::array<std::size_t, kink_uses> counts{};  ///< of each KinkUse
     std::size_t thinned = 0, alike = 0;           ///< as of FilmFit
@@ -73,6 +77,16 @@ struct FallsFit {
     /// The fall that a time is in.
     std::size_t fall_at(double time) const;
 };
+
+/// The body has surely (5 errors) another size than the given one, by `least` of it or more.
+bool has_another_size(const FallsFit& falls, double least);
+/// Of the size. A body is measured as well; its corners are sharp to some of that.
+inline constexpr double least_fallen_size_error = 0.01;
+/// Moves contact velocities by as much: e and μ are off by more than their intervals.
+inline constexpr double most_fallen_size_error = 0.05;
+/// Where vertices are off the plate beyond their errors: corners that are rounded by a radius ρ make a square √2 ρ
+/// smaller than it is.
+inline constexpr double most_round_size_error = 0.3;
 
 /// Fewer falls are not drawn: resamples then draw impacts.
 inline constexpr std::size_t fewest_drawn_falls = 10;

@@ -56,15 +56,24 @@ Vector3d in_contact_axes(const Vector3d& velocity, const Vector2d& wall, const V
     return {normal[0] * relative[1] - normal[1] * relative[0], -normal.dot(relative), velocity[2]};
 }
 
-analysis::MeasuredImpact measured(const FilmArcs& film, const Kink& kink, const FilmedScene& scene,
-                                  const Contact& contact) {
-    const FreeArc &before = film.arcs[kink.before], &after = film.arcs[kink.before + 1];
-    const Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
+}  // namespace
+
+analysis::MeasuredImpact in_contact_axes(const Kink& kink, const Contact& contact) {
     analysis::MeasuredImpact impact;
     impact.before = in_contact_axes(kink.velocity_before, contact.wall, contact.normal);
     impact.after = in_contact_axes(kink.velocity_after, contact.wall, contact.normal);
     impact.offset << contact.normal[0] * contact.offset[1] - contact.normal[1] * contact.offset[0],
         -contact.normal.dot(contact.offset);
+    return impact;
+}
+
+namespace {
+
+analysis::MeasuredImpact measured(const FilmArcs& film, const Kink& kink, const FilmedScene& scene,
+                                  const Contact& contact) {
+    const FreeArc &before = film.arcs[kink.before], &after = film.arcs[kink.before + 1];
+    const Vector3d noise(film.place_noise, film.place_noise, film.angle_noise);
+    analysis::MeasuredImpact impact = in_contact_axes(kink, contact);
     const auto error_of = [&](const FreeArc& arc) -> Vector3d {
         return noise.cwiseQuotient(arc.spread.cwiseSqrt()).cwiseProduct(arc.decay(kink.time));
     };

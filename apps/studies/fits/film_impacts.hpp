@@ -45,6 +45,9 @@ struct FilmImpact {
 /// Where a body at (x, y, θ) would be on the wall.
 using ContactAt = std::function<Contact(double time, const Eigen::Vector3d& place)>;
 
+/// Velocities relative to the wall and the contact's offset, along its axes; no errors.
+analysis::MeasuredImpact in_contact_axes(const analysis::Kink& kink, const Contact& contact);
+
 /// Velocities relative to the wall along the axes of the contact (x along the wall, counter-clockwise; y inwards), of
 /// both arcs, with their errors; that of the place turns axes and offset, what the impulse, known from the velocities,
 /// makes of it is added to the errors after.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -19,6 +20,8 @@ struct Plate {
     /// Robust standard deviation of how far the struck vertices are off it, and what of that their errors don't
     /// explain.
     double off_plate = analysis::nan, doubt = 0;
+    /// Covariance of tilt and mark as the kinks tell them; 0 of a mark that is given, or of a disk.
+    Eigen::Matrix2d errors = Eigen::Matrix2d::Zero();
 
     Eigen::Vector2d normal() const;
 };
@@ -36,5 +39,26 @@ std::optional<Plate> fit_plate(std::span<const analysis::Kink> kinks, const Film
 /// The same from near by, kink i counted weights[i] times (all once without any).
 Plate refined_plate(std::span<const analysis::Kink> kinks, std::span<const double> weights, const FilmNoise& noise,
                     const FilmedScene& body, const Plate& start);
+
+/// A body of so many sides as the film shows it.
+struct BodyOnPlate {
+    int sides = 0;
+    double size = analysis::nan, error = analysis::nan;        ///< R_p in units of the given one; NaN of a disk
+    double scatter = analysis::nan, expected = analysis::nan;  ///< of the vertices off the plate, and by errors alone
+    std::size_t kinks = 0;
+    Plate plate;
+
+    /// Vertices are points that lie on the plate, as far as can be seen.
+    bool is_sharp() const { return scatter < 2 * expected; }
+};
+
+/// The plate and the body's size with which vertices lie on the plate at the kinks: the centre is higher there, the
+/// steeper it stands on one, by size · cos φ, φ from straight down to the vertex. From the best of planes y = h + t x +
+/// size cos φ through three kinks each, at a grid of marks, whatever the size that was given, then Gauss–Newton. The
+/// error is in units of how the kinks scatter where that is more than their errors. A disk's size tells nothing: its
+/// centre is as high at all of them. Nothing with fewer than `fewest_kinks`, or where no size settles. O(kinks), of at
+/// most some hundred for the start.
+std::optional<BodyOnPlate> body_on_plate(std::span<const analysis::Kink> kinks, const FilmNoise& noise,
+                                         const FilmedScene& body);
 
 }  // namespace swirl::studies

@@ -94,6 +94,34 @@ std::vector<analysis::FilmFrame> frames_of(const BodyTrack& track, double scale)
     return frames;
 }
 
+/// The rows of the one follow one another so in the other; times apart, of which each fall has its own 0.
+bool is_part_of(const std::vector<analysis::FilmFrame>& part, const std::vector<analysis::FilmFrame>& whole) {
+    const auto is_same = [](const analysis::FilmFrame& a, const analysis::FilmFrame& b) {
+        for (Eigen::Index k = 0; k < 3; ++k)
+            if (!(a.place[k] == b.place[k] || (std::isnan(a.place[k]) && std::isnan(b.place[k])))) return false;
+        return true;
+    };
+    return std::search(whole.begin(), whole.end(), part.begin(), part.end(), is_same) != whole.end();
+}
+
+/// A fall that is counted twice makes intervals too short. O(files²), of files that differ in their first rows.
+void require_no_fall_twice(const std::vector<std::string>& files,
+                           const std::vector<std::vector<analysis::FilmFrame>>& falls) {
+    for (std::size_t i = 0; i < falls.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            if (falls[i].size() == falls[j].size() && is_part_of(falls[i], falls[j]))
+                throw BadInput(files[i] == files[j]
+                                   ? fmt::format("falls '{}' is given twice; each fall counts once", files[i])
+                                   : fmt::format("falls '{}' and '{}' have the same rows; each fall counts once",
+                                                 files[j], files[i]));
+            const bool is_shorter = falls[i].size() < falls[j].size();
+            const std::size_t part = is_shorter ? i : j, whole = is_shorter ? j : i;
+            if (is_part_of(falls[part], falls[whole]))
+                throw BadInput(fmt::format("the rows of falls '{}' are among those of '{}'; each fall counts once",
+                                           files[part], files[whole]));
+        }
+}
+
 }  // namespace
 
 void FallsOptions::add_to(Flags& command) {
@@ -133,6 +161,7 @@ FallenBodies read_falls(FilmOptions& film, const FallsOptions& options) {
         longest = std::max(longest, step_of(read.falls.back()));
         add_notes(read.notes, track.notes);
     }
+    require_no_fall_twice(options.files, read.falls);
     constexpr double alike = 3.5;  // longer steps are gaps, where no arc goes on
     if (!(longest < alike * shortest))
         throw BadInput(

@@ -22,10 +22,18 @@ Eigen::Vector2d gravity_of(const FallsReport& report) {
     return report.source.body.radius * report.falls.arcs.fall.gravity;
 }
 
+/// R_p over the given one, at 95 %.
+analysis::FittedNumber size_on_plate(const studies::FallsFit& falls) {
+    if (!falls.body) return {};
+    const double room = 1.96 * falls.body->error;
+    return {falls.body->size, falls.body->size - room, falls.body->size + room};
+}
+
 Settings falls_settings(const FallsReport& report) {
     const studies::FallsFit& falls = report.falls;
     const double radius = report.source.body.radius;
     const Eigen::Vector2d gravity = gravity_of(report), error = radius * falls.fall.error;
+    const analysis::FittedNumber size = size_on_plate(falls);
     return {{"falls", static_cast<std::int64_t>(report.source.falls.size())},
             {"frames", static_cast<std::int64_t>(falls.arcs.frames)},
             {"outliers", static_cast<std::int64_t>(falls.arcs.outliers)},
@@ -48,6 +56,9 @@ Settings falls_settings(const FallsReport& report) {
             {"vertex", falls.plate.mark},
             {"off_plate", radius * falls.plate.off_plate},
             {"polygon_radius", radius},
+            {"radius_on_plate", radius * size.value},
+            {"radius_on_plate_low", radius * size.low},
+            {"radius_on_plate_high", radius * size.high},
             {"resampled", falls.by_falls ? "falls" : "impacts"},
             {"predicted_in_scatter", falls.predicted_in_scatter},
             {"noisier_films", static_cast<std::int64_t>(falls.noisier)},
@@ -122,6 +133,43 @@ Table<FallKink> fall_kink_table() {
                "squared, of the arcs there, in units of its errors"}}};
 }
 
+/// A free arc by what the body does at the middle of it: parabolas, or what a drag makes of them, follow from that.
+struct FallArc {
+    std::size_t fall;
+    double start, end, time;
+    Eigen::Vector3d place, velocity;
+};
+
+Table<FallArc> fall_arc_table() {
+    using F = Field<FallArc>;
+    const auto of = [](Eigen::Vector3d FallArc::*numbers, Eigen::Index axis) {
+        return [numbers, axis](const FallArc& arc) { return (arc.*numbers)[axis]; };
+    };
+    return {
+        {"arc"},
+        {F{"fall", [](const FallArc& a) { return static_cast<std::int64_t>(a.fall); }, "1", "number of its file"},
+         F{"start", &FallArc::start, "1", "of its first frame, from the fall's first on"},
+         F{"end", &FallArc::end, "1", "of its last one"}, F{"time", &FallArc::time, "1", "the mean of its frames'"},
+         F{"x", of(&FallArc::place, 0), "1", "of the centre then"}, F{"y", of(&FallArc::place, 1), "1", ""},
+         F{"angle", of(&FallArc::place, 2), "rad", ""}, F{"vx", of(&FallArc::velocity, 0), "1", "of the centre then"},
+         F{"vy", of(&FallArc::velocity, 1), "1", ""}, F{"S", of(&FallArc::velocity, 2), "1", "spin then"}}};
+}
+
+std::vector<FallArc> arcs_of(const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    const double radius = report.source.body.radius;
+    const Eigen::Vector3d units(radius, radius, 1);
+    std::vector<FallArc> arcs;
+    for (const analysis::FreeArc& arc : falls.arcs.arcs) {
+        const std::size_t fall = falls.fall_at(arc.mean_time);
+        const double start = falls.starts[fall];
+        arcs.push_back({fall, arc.start - start, arc.end - start, arc.mean_time - start,
+                        units.cwiseProduct(falls.arcs.place_on(arc, arc.mean_time)),
+                        units.cwiseProduct(falls.arcs.velocity_on(arc, arc.mean_time))});
+    }
+    return arcs;
+}
+
 std::vector<FallKink> kinks_of(const FallsReport& report) {
     std::vector<FallKink> kinks;
     for (const FilmImpact& found : report.falls.impacts) {
@@ -165,6 +213,7 @@ void write_record(const RecordGroup& root, const FallsReport& report) {
     write_attributes(group, falls_settings(report));
     write_attributes(group.group("left_out"), counts_of(report.falls));
     write_record(root.group("frames"), fall_frame_table(), frames_of(report));
+    write_record(root.group("arcs"), fall_arc_table(), arcs_of(report));
     write_record(root.group("kinks"), fall_kink_table(), kinks_of(report));
     write_record(root.group("subsets"), subset_table(), report.falls.subsets);
 }

@@ -57,7 +57,8 @@ they tell), slowed by a drag where that is sure; kinks at which one vertex is on
 plate's height and tilt and the vertex' mark are fitted to them, and I/m is what momentum tells beside that of
 a uniform body, unless --inertia-factor gives it. Where arcs bend by more than noise they are divided more
 coarsely, and velocities are those of their ends. Resamples draw falls. Parts of the falls are fitted apart.
-Double impacts and contact that lasts are left out.
+Double impacts and contact that lasts are left out. Clear impacts also tell the body's size and sides: where they are
+surely others than the given ones, a note says so, or the falls are refused. Files with the same rows are refused.
 
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes

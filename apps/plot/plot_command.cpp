@@ -29,7 +29,8 @@ const char* const plot_details =
   spectrum            spectrum (with its peaks)
   lyapunov            lyapunov (the exponents and their convergence)
   fit                 fit (profiles of e and mu, and what single impacts ask for against their speeds); of a
-                      film arcs (frames and the arcs through them, S beside that of the scene found)
+                      film arcs (frames and the arcs through them, S beside that of the scene found), of
+                      falls arcs (height and angle, measured and fitted, with the impacts)
   orbits              multipliers (in the complex plane, with the mean spin of each orbit)
   bifurcate/continue  bifurcation (samples, branches and their special points; where points of one kind lie
                       on one another, the first is drawn, and the legend counts them)

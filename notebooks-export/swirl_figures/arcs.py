@@ -1,8 +1,9 @@
 """What a fit made of a film: measured places and the arcs through them, straight or bent by a floor's drag, and the spin beside that of the orbit of the
-scene that was found."""
+scene that was found; or of falls on a plate (fall_arcs.py)."""
 
 import numpy
 
+from . import fall_arcs
 from .legends import legend_inside
 from .look import NARROW, width_of
 from .ranges import inside, overlapping, part, require
@@ -129,6 +130,8 @@ def _title(record):
 
 
 def draw_into(figure, record, look):
+    if fall_arcs.are_falls(record):
+        return fall_arcs.draw_into(figure, record, look)
     narrow = width_of(figure) < NARROW
     if narrow:
         path, places, spin = figure.subplots(3, 1, height_ratios=[1.3, 1, 1])

@@ -9,6 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
 import numpy
 from driving import InFolder, Refusing, document, run, sized
 from impact_tables import after
@@ -131,11 +132,39 @@ class Truth(WithFalls, InFolder):
         self.assertAlmostEqual(found["restitution"]["value"], E, delta=0.03)
         self.assertAlmostEqual(found["friction"]["value"], MU, delta=0.03)
 
-    def test_a_record_has_frames_kinks_and_parts(self):
+    def test_a_record_has_frames_arcs_kinks_and_parts(self):
         run(f"fit --falls {self.written(6)} {FLAGS} {FEW} -o fit.h5", check=True, cwd=self.folder)
         shown = run("show fit.h5", cwd=self.folder).stdout
-        for group in ("falls", "frames", "kinks", "subsets", "impacts", "laws"):
+        for group in ("falls", "frames", "arcs", "kinks", "subsets", "impacts", "laws"):
             self.assertIn(group, shown)
+        with h5py.File(self.folder / "fit.h5") as record:
+            arcs, falls = record["arcs"], record["falls"].attrs
+            self.assertEqual(len(arcs["time"]), falls["arcs"])
+            for k in range(len(arcs["time"])):  # parabolas through the frames
+                seen = ((record["frames/fall"][()] == arcs["fall"][k]) & (record["frames/time"][()] >= arcs["start"][k])
+                        & (record["frames/time"][()] <= arcs["end"][k]))
+                tau = record["frames/time"][()][seen] - arcs["time"][k]
+                height = arcs["y"][k] + arcs["vy"][k] * tau + falls["gravity"][1] * tau ** 2 / 2
+                if len(tau) > 8 and abs(arcs["vy"][k]) > 0.3:
+                    self.assertLess(numpy.abs(record["frames/y"][()][seen] - height).max(), 6 * falls["place_noise"], k)
+        for name, width in (("arcs.png", ""), ("narrow.png", "--width aps")):
+            run(f"plot fit.h5 -o {name} --kind arcs {width}", check=True, cwd=self.folder)
+            self.assertGreater((self.folder / name).stat().st_size, 10_000)
+
+    def test_the_side_that_the_impacts_show(self):
+        files = self.written(12, name="side")
+        falls = document(f"fit --falls {files} {FLAGS} {FEW}")["falls"]
+        self.assertLess(falls["radius_on_plate_high"] - falls["radius_on_plate_low"], 0.05 * RADIUS)
+        self.assertAlmostEqual(falls["radius_on_plate"], RADIUS,
+                               delta=1.5 * (falls["radius_on_plate_high"] - falls["radius_on_plate_low"]))
+        columns = f"--position x y --angle theta --fps {FPS}"
+        for flags, mention in ((f"--sides {SIDES} --side {2 * SIDE}", "vertices lie on the plate with --side 0.0"),
+                               (f"--sides {SIDES} --side {SIDE / 2}", "vertices lie on the plate with --side 0.0"),
+                               (f"--sides 6 --side {SIDE}", f"--sides {SIDES} --side 0.0")):
+            wrong = run(f"fit --falls {files} {columns} {flags} {FEW}")
+            self.assertEqual((wrong.returncode, wrong.stdout), (2, ""), (flags, wrong.stderr))
+            self.assertEqual(len(wrong.stderr.splitlines()), 1, wrong.stderr)
+            self.assertIn(mention, wrong.stderr)
 
 
 class WrongInput(WithFalls, Refusing):
@@ -163,6 +192,18 @@ class WrongInput(WithFalls, Refusing):
         self.refused(f"fit --falls {self.other}/none.csv {FLAGS}", "none.csv")
         self.refused("fit --side 0.06", "--")
         self.refused(f"fit --series {one} {FLAGS}", "--side is of falls")
+
+    def test_a_fall_counts_once(self):
+        files = self.written(3).split()
+        self.refused(f"fit --falls {' '.join(files)} {files[1]} {FLAGS}", "fall1.csv' is given twice")
+        same, part, other = (self.other / name for name in ("same.csv", "part.csv", "other.csv"))
+        rows = Path(files[1]).read_text().splitlines()
+        same.write_text("\n".join(rows))  # one byte less, the same rows
+        self.refused(f"fit --falls {' '.join(files)} {same} {FLAGS}", f"'{files[1]}' and '{same}' have the same rows")
+        part.write_text("\n".join(rows[:1] + rows[20:80]) + "\n")
+        self.refused(f"fit --falls {part} {' '.join(files)} {FLAGS}", f"'{part}' are among those of '{files[1]}'")
+        other.write_text("\n".join(rows[:-1] + ["0,0,0"]) + "\n")  # of which one row is its own
+        self.assertNotIn("counts once", run(f"fit --falls {' '.join(files)} {other} {FLAGS}").stderr)
 
     def test_falls_that_no_law_fits(self):
         still = self.other / "still.csv"

@@ -107,6 +107,8 @@ struct FilmArcs {
     FloorMotion floor;
     UniformFall fall;
     Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< as it was given
+    /// Standard deviations of accelerations of free arcs that the model does not have; 0: as far as can be seen.
+    Eigen::Vector3d wandering = Eigen::Vector3d::Zero();
     double impact_time = 0;  ///< impacts last so long, or are that far from where arcs meet: an error of their times
 
     /// Of the body on the arc, in the laboratory.

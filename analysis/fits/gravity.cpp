@@ -282,6 +282,50 @@ std::vector<bool> falling_arcs(const FilmArcs& film) {
     return falls;
 }
 
+namespace {
+
+/// Of one axis.
+struct Bends {
+    std::vector<double> squares, expected, ratios;  ///< of accelerations, of their errors, and these of one another
+
+    void add(const FilmArcs& film, const FreeArc& arc, Eigen::Index axis, double noise) {
+        double bend = 0, bent = 0, mean = 0, slope = 0;
+        const auto half_square = [&](std::size_t i) { return std::pow(film.kept[i].time - arc.mean_time, 2) / 2; };
+        for (std::size_t i = arc.first; i <= arc.last; ++i) {
+            mean += half_square(i) / static_cast<double>(arc.count);
+            slope += half_square(i) * arc.since(film.kept[i].time)[axis] / arc.spread[axis];
+        }
+        for (std::size_t i = arc.first; i <= arc.last; ++i) {
+            const double time = film.kept[i].time, left = half_square(i) - mean - slope * arc.since(time)[axis];
+            bend += left * left, bent += left * (film.kept[i].place - film.place_on(arc, time))[axis];
+        }
+        squares.push_back(std::pow(bent / bend, 2));
+        expected.push_back(noise * noise / bend);
+        ratios.push_back(squares.back() / expected.back());
+    }
+    double beyond_noise() const {
+        constexpr double surely = 3, of_scale = 1.17;  // a robust scale of n has the error 1.17/√(2n)
+        if (ratios.size() < fewest_falling_frames) return 0;
+        const double scale = std::sqrt(quantile(ratios, 0.5) / median_square_of_one);
+        if (scale < 1 + surely * of_scale / std::sqrt(2 * static_cast<double>(ratios.size()))) return 0;
+        return std::sqrt(std::max(0.0, quantile(squares, 0.5) / median_square_of_one - quantile(expected, 0.5)));
+    }
+};
+
+}  // namespace
+
+Eigen::Vector3d unmodelled_accelerations(const FilmArcs& film, const std::vector<bool>& counts) {
+    Bends of_places, of_angle;
+    for (std::size_t k = 0; k < film.arcs.size(); ++k) {
+        const FreeArc& arc = film.arcs[k];
+        if (!counts[k] || arc.count < fewest_falling_frames) continue;
+        for (const Eigen::Index axis : {0, 1}) of_places.add(film, arc, axis, film.place_noise);
+        of_angle.add(film, arc, 2, film.angle_noise);
+    }
+    const double places = of_places.beyond_noise();
+    return {places, places, of_angle.beyond_noise()};
+}
+
 std::optional<FallingArcs> settled_fall(std::span<const FilmFrame> frames, double period,
                                         const FallSettings& settings) {
     FallModel model = settings.start.value_or(FallModel{});

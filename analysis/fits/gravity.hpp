@@ -54,6 +54,12 @@ struct FallingArcs {
 /// frames is none of theirs. O(frames).
 std::vector<bool> falling_arcs(const FilmArcs& film);
 
+/// Accelerations of arcs beyond those of their model and of noise: where a tracked centre is not the body's, a lens
+/// bends or errors of neighbouring frames go together, velocities at an arc's ends are off by half its time of these.
+/// Robust standard deviations over the arcs that count, of x and y alike and of θ, less what noise does; 0 where
+/// they are not surely (3 errors) more than noise. O(frames).
+Eigen::Vector3d unmodelled_accelerations(const FilmArcs& film, const std::vector<bool>& counts);
+
 /// What is known beforehand.
 struct FallSettings {
     std::optional<Eigen::Vector2d> gravity = {};

@@ -41,6 +41,8 @@ Settings falls_settings(const FallsReport& report) {
             {"kinks", static_cast<std::int64_t>(falls.impacts.size())},
             {"place_noise", radius * falls.arcs.place_noise},
             {"angle_noise", falls.arcs.angle_noise},
+            {"unmodelled_acceleration", radius * falls.arcs.wandering[0]},
+            {"unmodelled_spin_acceleration", falls.arcs.wandering[2]},
             {"gravity", std::vector<double>{gravity[0], gravity[1]}},
             {"gravity_error", std::vector<double>{error[0], error[1]}},
             {"drag", falls.fall.drag.value},

@@ -156,6 +156,7 @@ FallsFit by_pieces(const FallsFit& divided, std::size_t longest, const FilmedSce
         falls.fall = *fall;
         falls.arcs = analysis::with_fall(falls.arcs, fall->model.gravity, fall->model.drags);
         falls.arcs = analysis::with_noise_of(falls.arcs, flies);
+        falls.arcs.wandering = analysis::unmodelled_accelerations(falls.arcs, flies);
         falls.arcs.impact_time = 0;
         falls.arcs.impact_time = impact_time(falls, scene, flies);
     }

@@ -56,10 +56,20 @@ ImpactCovariance impact_covariance(const FilmArcs& film, const Kink& kink, const
                 return numbers_at(analysis::kink_between(film, other[0], other[1]), scene, plate);
             };
             const FreeArc& arc = arcs[which];
+            // A line through places that an acceleration bends, carried on to the kink.
+            const auto bent = [&](double acceleration) {
+                FreeArc other[2] = {arcs[0], arcs[1]};
+                const double after = kink.time - arc.mean_time,
+                             square = arc.spread[axis] / static_cast<double>(arc.count);
+                other[which].velocity[axis] += acceleration * after;
+                other[which].middle[axis] -= acceleration * (after * after + square) / 2;
+                return numbers_at(analysis::kink_between(film, other[0], other[1]), scene, plate);
+            };
             const double of_middle = noise[axis] / std::sqrt(static_cast<double>(arc.count)),
                          of_velocity = noise[axis] / std::sqrt(arc.spread[axis]);
             add([&](double share) { return with(&FreeArc::middle, share * of_middle); });
             add([&](double share) { return with(&FreeArc::velocity, share * of_velocity); });
+            if (film.wandering[axis] > 0) add([&](double share) { return bent(share * film.wandering[axis]); });
         }
     if (film.impact_time > 0)
         add([&](double share) {

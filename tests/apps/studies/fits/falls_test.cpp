@@ -240,6 +240,76 @@ TEST(Falls, APreciseFilmIsOneOfFallsToo) {
     EXPECT_NEAR(falls.fit.friction.value, truth.friction, 0.001);
 }
 
+/// Flights that each have an acceleration of their own beside gravity, of that standard deviation.
+analysis::FilmArcs wandering_flights(double acceleration, double spin_acceleration) {
+    constexpr std::size_t flights = 60, frames = 30;
+    constexpr double step = 0.004, gravity = 9.81, noise = 5e-5, angle_noise = 1e-3;
+    std::vector<FilmFrame> film;
+    for (std::size_t k = 0; k < flights; ++k) {
+        const Vector3d own =
+            Vector3d(acceleration, acceleration, spin_acceleration).cwiseProduct(analysis::normal_draws(7, 0, k));
+        for (std::size_t i = 0; i < frames; ++i) {
+            const double time = step * static_cast<double>(i);
+            FilmFrame frame;
+            frame.time = time + step * static_cast<double>(k * (frames + 20));
+            frame.place = Vector3d(0.3, 0.5, 2) * time + own * time * time / 2;
+            frame.place[1] -= gravity * time * time / 2;
+            frame.place += Vector3d(noise, noise, angle_noise).cwiseProduct(analysis::normal_draws(7, k + 1, i));
+            film.push_back(frame);
+        }
+    }
+    analysis::ArcOptions options;
+    options.fall = {{0, -gravity}, 0};
+    options.division_noise.setConstant(1);
+    return analysis::fit_arcs(film, 2 * pi, options);
+}
+
+TEST(Falls, AccelerationsThatNoModelHasAreSeen) {
+    const auto seen = [](double acceleration, double spin_acceleration) {
+        const analysis::FilmArcs arcs = wandering_flights(acceleration, spin_acceleration);
+        EXPECT_EQ(arcs.arcs.size(), 60U);
+        return analysis::unmodelled_accelerations(arcs, std::vector<bool>(arcs.arcs.size(), true));
+    };
+    EXPECT_EQ(seen(0, 0), Vector3d::Zero());
+    const Vector3d both = seen(0.3, 20);
+    EXPECT_NEAR(both[0], 0.3, 0.1);
+    EXPECT_EQ(both[0], both[1]);
+    EXPECT_NEAR(both[2], 20, 8);
+}
+
+TEST(Falls, ACovarianceOfIndependentErrorsSaysWhatTheErrorsDo) {
+    std::vector<analysis::MeasuredImpact> alone;
+    for (std::size_t i = 0; i < 30; ++i) {
+        const Vector3d draw = analysis::normal_draws(1, 0, i), other = analysis::normal_draws(1, 1, i);
+        analysis::MeasuredImpact impact;
+        impact.before << draw[0], -1 - 0.1 * draw[1], draw[2];
+        impact.offset << 0.5 * std::sin(other[0]), -0.9;
+        const auto found = impact_laws()[0].law(impact.offset, 0.3,
+                                                analysis::contact_velocity(impact.offset, impact.before), {0.6, 0.2});
+        impact.after = impact.before + analysis::effect_of_impulse(impact.offset, 0.3) * found.impulse + 0.02 * other;
+        impact.error_before << 0.02, 0.01, 0.03;
+        impact.error_after << 0.01, 0.02, 0.02;
+        alone.push_back(impact);
+    }
+    std::vector<analysis::MeasuredImpact> together = alone;
+    for (analysis::MeasuredImpact& impact : together) {
+        Eigen::Matrix<double, 8, 1> errors;
+        errors << impact.error_before, impact.error_after, 0, 0;
+        impact.covariance = errors.cwiseAbs2().asDiagonal();
+    }
+    const std::vector<double> once(alone.size(), 1);
+    const double inertia = analysis::fit_inertia(alone, once, 0.4).inertia;
+    EXPECT_NEAR(analysis::fit_inertia(together, once, 0.4).inertia, inertia, 1e-9);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const auto of = [&](const analysis::MeasuredImpact& impact) {
+            return analysis::predict(impact, 0.3, impact_laws()[0].law, {0.6, 0.2}).squared;
+        };
+        EXPECT_NEAR(of(together[i]), of(alone[i]), 1e-9 * of(alone[i]));
+        together[i].covariance->bottomRightCorner<2, 2>().diagonal().setConstant(1e-3);
+        EXPECT_LT(of(together[i]), of(alone[i]));
+    }
+}
+
 TEST(Falls, TellTheBodysSizeAndSides) {
     const Truth truth;
     const FallsFit same = fit_as(truth, 4, 1, 15);

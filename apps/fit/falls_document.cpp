@@ -234,6 +234,11 @@ void print_falls(const FallsReport& report) {
     fmt::print("  plate           at y = {:.4g} + {:.3g} x; vertices are {:.2g} off it at impacts\n",
                radius * falls.plate.height / std::cos(falls.plate.tilt), std::tan(falls.plate.tilt),
                radius * falls.plate.off_plate);
+    if (falls.body) {
+        const analysis::FittedNumber size = size_on_plate(falls);
+        fmt::print("  polygon radius  {:.4g} given; by clear impacts {:.4g} [{:.4g}, {:.4g}]\n", radius,
+                   radius * size.value, radius * size.low, radius * size.high);
+    }
     print_used(falls);
 }
 

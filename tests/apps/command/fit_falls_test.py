@@ -109,7 +109,7 @@ class Truth(WithFalls, InFolder):
         self.assertEqual(given["falls"]["gravity_error"], [0, 0])
         self.assertAlmostEqual(given["inertia"]["low"], INERTIA, delta=1e-12)
         shown = run(f"fit --falls {files} {FLAGS} {FEW}").stdout
-        for words in ("8 falls", "gravity", "plate", "of a uniform body", "parts of the impacts"):
+        for words in ("8 falls", "gravity", "plate", "by clear impacts", "of a uniform body", "parts of the impacts"):
             self.assertIn(words, shown)
 
     def test_the_answer_is_the_same_whatever_threads_and_environment(self):

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <ctime>
 #include <memory>
+#include <string_view>
 
 namespace swirl::apps {
 
@@ -22,12 +23,15 @@ constexpr long grace_ns = 300'000'000;
 // Written by a handler, on whichever thread the signal comes to, and read by all of them.
 std::atomic<bool> interrupted = false;
 std::atomic<bool> finishing = false;
+std::atomic<bool> is_told = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers may use these alone");
 timer_t grace_timer;
 bool has_grace_timer = false;
 
 void leave(int) {
     remove_unfinished_files();
+    constexpr std::string_view words = "swirl: interrupted\n";
+    if (is_told && write(STDERR_FILENO, words.data(), words.size()) < 0) _exit(exit_interrupted);
     _exit(exit_interrupted);
 }
 
@@ -71,6 +75,10 @@ void exit_when_interrupted() {
     }
     handle(leave);
     if (interrupted) leave(0);
+}
+
+void tell_interruption() {
+    if (!caller_of_this_thread()) is_told = true;
 }
 
 void note_interruptions() {

@@ -17,6 +17,10 @@ void keep_ignored_hangup();
 /// @throws Interrupted where a caller has said stop, and then no more
 void exit_when_interrupted();
 
+/// From now on an end of exit_when_interrupted() is said in a line on standard error: of work that takes a while, and
+/// after which there is nothing.
+void tell_interruption();
+
 /// From now on they are noted: for work that looks at is_interrupted() and keeps what is finished. Work that has not
 /// come to finish_up() 0.3 seconds later is ended as by exit_when_interrupted(). (What a handler can reach is global.)
 void note_interruptions();

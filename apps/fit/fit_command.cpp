@@ -180,6 +180,7 @@ FitReport report_of(FitOptions& options, analysis::ImpactFitSettings& settings) 
 int fit(FitOptions& options) {
     options.output.require_double("fit works in double");
     require_one_input(options);
+    if (!options.output.quiet) tell_interruption();
     analysis::ImpactFitSettings settings;
     settings.inertia = inertia_of(options);
     settings.resamples = static_cast<std::size_t>(options.resamples);

@@ -5,13 +5,16 @@ a tracker's noise and digits."""
 
 import math
 import os
+import signal
+import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 import h5py
 import numpy
-from driving import InFolder, Refusing, document, run, sized
+from driving import InFolder, Refusing, document, run, sized, start
 from impact_tables import after
 
 E, MU, TILT, SIDE, SIDES = 0.6, 0.2, 0.05, 0.06, 4
@@ -150,6 +153,16 @@ class Truth(WithFalls, InFolder):
         for name, width in (("arcs.png", ""), ("narrow.png", "--width aps")):
             run(f"plot fit.h5 -o {name} --kind arcs {width}", check=True, cwd=self.folder)
             self.assertGreater((self.folder / name).stat().st_size, 10_000)
+
+    def test_interrupted_it_says_so_and_leaves_nothing(self):
+        files = self.written(6)
+        for flags, said in (("", "swirl: interrupted\n"), ("--quiet", "")):
+            process = start(f"fit --falls {files} {FLAGS} --resamples 100000 --json {flags} -o {self.folder}/a.h5",
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual((*process.communicate(timeout=60), process.returncode), ("", said, 130))
+            self.assertEqual([path.name for path in self.folder.iterdir() if path.suffix != ".csv"], [])
 
     def test_the_side_that_the_impacts_show(self):
         files = self.written(12, name="side")

@@ -317,7 +317,7 @@ TEST(Falls, TellTheBodysSizeAndSides) {
     EXPECT_NEAR(same.body->size, 1, 4 * same.body->error);
     EXPECT_LT(same.body->error, 0.02);
     EXPECT_FALSE(same.shape);
-    for (const double size : {0.5, 0.8, 1.25, 2.0}) {
+    for (const double size : {0.5, 1.25, 2.0}) {
         const FallsFit other = fit_as(truth, 4, size, 15);
         ASSERT_EQ(other.outcome, FallsFitOutcome::another_size) << size;
         EXPECT_NEAR(size * other.body->size, 1, 4 * size * other.body->error) << size;
@@ -428,11 +428,11 @@ struct Count {
 
 /// Bodies that slip, stick and do either; three laws, with and without a drag, on a level plate and a tilted one, two
 /// rates of frames.
-Count count_of(std::size_t draws, std::size_t falls, std::uint64_t seed) {
+Count count_of(std::size_t draws, std::size_t falls, std::uint64_t seed, std::size_t resamples) {
     Count count;
     for (std::size_t draw = 0; draw < draws; ++draw) {
         const Truth truth = truth_of(draw);
-        const FallsFit found = fit_of(truth, falls, seed + draw, 100);
+        const FallsFit found = fit_of(truth, falls, seed + draw, resamples);
         if (found.outcome != FallsFitOutcome::fitted) {
             ++count.refused;
             continue;
@@ -457,8 +457,17 @@ void expect_covered(const Count& count) {
     EXPECT_GE(static_cast<double>(count.gravity), 0.88 * most);
 }
 
+/// Short films, of which one number in ten may be outside by chance.
+TEST(Falls, IntervalsOfAFewFilmsHoldTheTruth) {
+    const Count count = count_of(5, 8, 500, 20);
+    EXPECT_GE(count.fits, 4U);
+    EXPECT_GE(count.restitution + count.friction + count.inertia + count.gravity, 4 * count.fits - 3);
+    EXPECT_GE(count.restitution + 1, count.fits);
+    EXPECT_GE(count.friction + 1, count.fits);
+}
+
 TEST(FallsNightly, IntervalsHoldTheTruth) {
-    const Count count = count_of(120, 20, 1000);
+    const Count count = count_of(120, 20, 1000, 100);
     EXPECT_LE(count.refused, 6U);
     expect_covered(count);
 }

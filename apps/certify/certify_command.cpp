@@ -61,7 +61,9 @@ orbit's, and the paths' entropy is a lower bound of the map's. Beside it stands 
 without proof. Of a disk without friction --near says the level of J, too. Exit code 3 if no entropy > 0 is proven.
 
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
-fixed points is not part of that.
+fixed points is not part of that. Of chaos it proves what sets and coverings say (with vertex_step and contact_mode), that
+the sets over which one is carried have no common point, growth and entropy; it does not look at exponent, cycles (their
+multiplier, too), connections, pieces and settings, and begins at flight_time and image whatever they are.
 
 The exit code is 0 if all is proven (--all: and complete), 3 if some is not. With --check it is 3 if what is stated could
 not be proven, 2 if the file is no certificate or was changed after it was written.
@@ -71,6 +73,7 @@ Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --max-time 2 --along alpha=0.38:0.42
   swirl certify --sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --near=3.1415927,-0.144,0.048,0 --chaos
+  swirl certify --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --near=3.1416,0,-0.127,0,-1.667 --chaos
   swirl certify --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2)";
 
 void CertifyOptions::add_to(Flags& command) {
@@ -92,7 +95,7 @@ void CertifyOptions::add_to(Flags& command) {
     command.add_flag("--chaos", chaos,
                      "sets about these cycles that the map carries over each other: a proven entropy");
     add_whole_number(command, "--link-length", link_length, "K", 2, 40,
-                     "of --chaos: most impacts of an orbit from cycle to cycle (default 10)");
+                     "of --chaos: most impacts of an orbit from cycle to cycle (default 12)");
     command.add_option("--plane", plane, "", "NAME=A:B, twice: " + parameters_in_words(RangesOver::plain_scenes))
         ->offer(parameters_to_offer(RangesOver::plain_scenes))
         ->allow_extra_args(false);

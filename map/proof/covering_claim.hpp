@@ -58,7 +58,8 @@ void require_chart(const Scene<double>& scene);
 
 /// N ⟹ M under F (map/proof/README.md, "Chaos"): on every piece of set `from` F is one smooth branch or continuous
 /// (slip that stops at once), without an earlier contact; the image lies between the contracted sides of `to` wherever
-/// it is not beyond its exit; the two exit faces lie beyond different ends. Cost: some 1 to 5 ms a piece.
+/// it is not beyond its exit; the two exit faces lie beyond different ends; no angle of the image is half a turn or
+/// more from the centre of `to`, so that no image goes round the other way. Cost: some 1 to 5 ms a piece.
 ///   most_pieces  after which nothing is said
 CoveringProof prove_covering(const Scene<double>& scene, const ChaosClaim& claim, const CoveringClaim& link,
                              int most_pieces);

@@ -64,10 +64,18 @@ Landing landing_of(const SectionFlights& flights, const BallSet& from, const Bal
     Landing landing;
     landing.open = image.open;
     if (!landing.open.empty()) return landing;
-    landing.at = times(to.inverse, difference(flights.chart, image.middle, to.centre));
+    const BallVector away = difference(flights.chart, image.middle, to.centre);
+    landing.at = times(to.inverse, away);
     const BallMatrix slopes = times(to.inverse, image.slopes), curves = times(to.inverse, image.curves);
     const std::size_t n = landing.at.size();
     const Ball either = around(0, 1), square = intervals::between(0, 1);
+    for (std::size_t i = 0; i < n && flights.chart[i] <= chi_index; ++i) {
+        Ball angle = away[i];
+        for (const BallMatrix* terms : {&image.slopes, &image.curves})
+            for (const Ball& term : (*terms)[i]) angle.add_product(term, either);
+        if (!is_positive(intervals::pi_ball() - abs(angle)))
+            landing.open = "the image of a piece is not certain to lie less than half a turn from the other set";
+    }
     for (std::size_t i = 0; i < n; ++i) {
         landing.effects.emplace_back(n);
         std::size_t pair = 0;

@@ -1,10 +1,12 @@
 #include "map/proof_check/carried_piece.hpp"
 
 #include "map/intervals/arb.hpp"
+#include "map/intervals/curved.hpp"
 #include "map/proof_check/check_flight.hpp"
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -16,112 +18,52 @@ namespace swirl::proof_check {
 namespace {
 
 using intervals::around;
-using intervals::between;
-using intervals::exact_middle;
+using intervals::Curved;
 using intervals::lower;
 using intervals::middle;
-using intervals::radius;
 using intervals::upper;
 
 constexpr std::size_t by_time = 5, by_next = 6;
 
-/// Energy less angular momentum of a disk without its spin, from the swirl's centre in axes along the swirl's arm.
-Gradient level_of(const StatedScene& scene, const Ball& psi, const Ball& vn, const Ball& vt) {
-    const Gradient angle(psi, 0), n(vn, 2), t(vt, 3);
-    const Gradient c = cosine(angle), s = sine(angle);
-    const Ball reach = Ball(1) - scene.alpha;
-    const Gradient x = scene.beta + reach * c, y = reach * s;
-    const Gradient vx = c * n - s * t, vy = s * n + c * t;
-    return Ball(0.5) * (vx * vx + vy * vy) - (x * vy - y * vx);
-}
-
-/// ψ, χ, v_n, v_t, S of all points of a piece, and their derivatives by q.
-struct States {
-    std::array<Ball, 5> z;
-    std::array<Balls, 5> by;
-    bool good = true;
-};
-
-/// v_n with J = level: Newton's method over intervals on the level's equation.
-void add_normal_velocity(const CheckedChaos& chaos, States& states) {
-    const Ball level(*chaos.jacobi);
-    const double psi = middle(states.z[0]), vt = middle(states.z[3]);
-    const double a = 1 - middle(chaos.scene.alpha), b = middle(chaos.scene.beta);
-    const double x = a + b * std::cos(psi), y = b * std::sin(psi);
-    double vn = y - std::sqrt(x * x + y * y - (vt - x) * (vt - x) + 2 * *chaos.jacobi);
-    states.good = false;
-    if (!std::isfinite(vn)) return;
-    double wide = 1e-14;
-    for (int i = 0; i < 8 && !states.good; ++i) {
-        const Ball all = around(vn, wide), start(vn);
-        const Ball open = level_of(chaos.scene, states.z[0], start, states.z[3]).f - level;
-        const Gradient over = level_of(chaos.scene, states.z[0], all, states.z[3]);
-        if (!is_negative(over.d[2])) return;  // the branch that leaves the wall
-        const Ball found = start - open / over.d[2];
-        states.good = intervals::contains_interior(all, found);
-        if (states.good) {
-            const Gradient closer = level_of(chaos.scene, states.z[0], found, states.z[3]);
-            states.z[2] = found;
-            for (std::size_t j = 0; j < states.by[0].size(); ++j)
-                states.by[2][j] = -(closer.d[0] * states.by[0][j] + closer.d[3] * states.by[3][j]) / closer.d[2];
-            states.good = is_negative(closer.d[2]);
-        }
-        wide = 2 * (radius(found) + std::abs(middle(found) - vn)) + 1e-15;
-    }
-}
-
-States states_of(const CheckedChaos& chaos, const StatedSet& set, const Balls& q) {
-    const std::size_t n = chaos.chart.size();
-    States states;
-    states.by.fill(Balls(n));
-    for (std::size_t a = 0; a < n; ++a) {
-        Ball& x = states.z[chaos.chart[a]];
-        x = Ball(set.centre[a]);
-        for (std::size_t j = 0; j < n; ++j) {
-            const Ball entry(set.matrix[a * n + j]);
-            x.add_product(entry, q[j]);
-            states.by[chaos.chart[a]][j] = entry;
-        }
-    }
-    if (chaos.jacobi) add_normal_velocity(chaos, states);
-    return states;
-}
-
-/// The equations' values and derivatives by the unknowns (next point, time) and by q.
+/// The equations' values and derivatives by the unknowns: those of the next point's coordinates that are kept, and
+/// time.
+template <class S>
 struct System {
-    Balls values;
-    BallRows by_unknown, by_q;
+    std::vector<S> values;
+    std::vector<std::vector<S>> by_unknown;
 };
 
-StepVariables variables_of(const CheckedChaos& chaos, const States& states, const Balls& unknown) {
-    std::array<Gradient, variables> g;
-    for (std::size_t i = 0; i < 5; ++i) {
-        g[i] = Gradient(states.z[i], i);
-        g[by_next + i] = Gradient(Ball(0), by_next + i);
-    }
-    for (std::size_t a = 0; a < chaos.kept.size(); ++a) g[by_next + chaos.kept[a]].f = unknown[a];
-    g[by_time] = Gradient(unknown.back(), by_time);
+/// Of z and the unknowns, these with derivatives or without.
+template <class S>
+StepVariablesOver<S> variables_of(const CheckedChaos& chaos, const std::array<S, 5>& z, const std::vector<S>& unknown,
+                                  bool derivatives) {
+    const auto number = [&](const S& value, std::size_t index) {
+        return derivatives ? GradientOver<S>(value, index) : GradientOver<S>(value);
+    };
+    std::array<GradientOver<S>, variables> g;
+    for (std::size_t i = 0; i < 5; ++i) g[i] = GradientOver<S>(z[i]);
+    for (std::size_t a = 0; a < chaos.kept.size(); ++a)
+        g[by_next + chaos.kept[a]] = number(unknown[a], by_next + chaos.kept[a]);
+    g[by_time] = number(unknown.back(), by_time);
     return {g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10]};
 }
 
-System system_of(const CheckedChaos& chaos, const States& states, const Balls& unknown, const StatedStep& step,
-                 std::vector<Inequality>* inequalities) {
-    const StepEquations all = step_equations(chaos.scene, step, variables_of(chaos, states, unknown), inequalities);
-    std::vector<const Gradient*> list{&all.position_x, &all.position_y, &all.friction, &all.restitution};
-    if (!chaos.scene.disk()) list.push_back(&all.turn);
+template <class S>
+System<S> system_of(const CheckedChaos& chaos, const SceneOver<S>& scene, const std::array<S, 5>& z,
+                    const std::vector<S>& unknown, const StatedStep& step, bool derivatives,
+                    std::vector<Inequality>* inequalities = nullptr) {
+    const StepEquationsOver<S> all =
+        step_equations(scene, step, variables_of(chaos, z, unknown, derivatives), inequalities);
+    std::vector<const GradientOver<S>*> list{&all.position_x, &all.position_y, &all.friction, &all.restitution};
+    if (!scene.disk()) list.push_back(&all.turn);
     if (chaos.kept.back() == 4) list.push_back(&all.spin);
-    System system;
-    const std::size_t n = chaos.chart.size();
-    for (const Gradient* equation : list) {
-        Balls unknowns, by_q(n);
-        for (const std::size_t index : chaos.kept) unknowns.push_back(equation->d[by_next + index]);
-        unknowns.push_back(equation->d[by_time]);
-        for (std::size_t j = 0; j < n; ++j)
-            for (std::size_t i = 0; i < 5; ++i)
-                if (!is_exact_zero(equation->d[i])) by_q[j].add_product(equation->d[i], states.by[i][j]);
+    System<S> system;
+    for (const GradientOver<S>* equation : list) {
         system.values.push_back(equation->f);
-        system.by_unknown.push_back(std::move(unknowns));
-        system.by_q.push_back(std::move(by_q));
+        if (!derivatives) continue;
+        system.by_unknown.emplace_back();
+        for (const std::size_t index : chaos.kept) system.by_unknown.back().push_back(equation->d[by_next + index]);
+        system.by_unknown.back().push_back(equation->d[by_time]);
     }
     return system;
 }
@@ -139,92 +81,228 @@ Balls balls_of(const Eigen::VectorXd& x) {
     return balls;
 }
 
-/// The sign of the slip before the impact; 0 where it is not certain and sticking in compression allows that.
-int slip_of(const CheckedChaos& chaos, const States& states, const Balls& unknown, const std::string& mode) {
+/// The slip before the impact.
+template <class S>
+S slip_before(const SceneOver<S>& scene, const StepVariablesOver<S>& at) {
+    const auto turn = sine_cosine(at.psi.f - at.next_psi.f - at.tau.f);
+    return turn.sine * at.vn.f + turn.cosine * at.vt.f + at.spin.f * scene.alpha * sine_cosine(at.next_chi.f).cosine -
+           scene.beta * sine_cosine(at.next_psi.f).cosine;
+}
+
+/// Its sign; 0 where it is not certain and sticking in compression allows that.
+int slip_of(const Ball& slip, const std::string& mode) {
     if (mode == "frictionless") return 0;
-    const StepVariables at = variables_of(chaos, states, unknown);
-    const auto turn = intervals::sine_cosine(at.psi.f - at.next_psi.f - at.tau.f);
-    const Ball slip = turn.sine * at.vn.f + turn.cosine * at.vt.f +
-                      at.spin.f * chaos.scene.alpha * intervals::sine_cosine(at.next_chi.f).cosine -
-                      chaos.scene.beta * intervals::sine_cosine(at.next_psi.f).cosine;
     if (is_positive(slip)) return 1;
     if (is_negative(slip)) return -1;
     return mode == "c-sticking" ? 0 : middle(slip) > 0 ? 1 : -1;
 }
 
-/// K = m − C (E(m) + E_q dq) + (1 − C E_y)(box − m); true if it lies inside the box.
-bool maps_inside(const System& at, const System& over, const Eigen::MatrixXd& inverse, const Balls& start,
-                 const Balls& box, const Balls& offset, Balls& image) {
-    const std::size_t m = start.size();
-    image.clear();
-    bool inside = true;
-    for (std::size_t i = 0; i < m; ++i) {
-        Ball entry = start[i];
-        Balls rest(m);
-        rest[i] = Ball(1);
-        for (std::size_t l = 0; l < m; ++l) {
-            const Ball weight(-inverse(i, l));
-            entry.add_product(weight, at.values[l]);
-            for (std::size_t j = 0; j < m; ++j) rest[j].add_product(weight, over.by_unknown[l][j]);
-        }
-        for (std::size_t j = 0; j < m; ++j) entry.add_product(rest[j], box[j] - start[j]);
-        for (std::size_t j = 0; j < offset.size(); ++j) {  // summed before it is multiplied: terms cancel
-            Ball slope;
-            for (std::size_t l = 0; l < m; ++l) slope.add_product(Ball(-inverse(i, l)), over.by_q[l][j]);
-            entry.add_product(slope, offset[j]);
-        }
-        inside = inside && intervals::contains_interior(box[i], entry);
-        image.push_back(std::move(entry));
-    }
-    return inside;
-}
+/// The next point and time of one point, with the inverse of the equations' derivative.
+struct MiddleStep {
+    Eigen::VectorXd unknown;  ///< empty: none was found
+    Eigen::MatrixXd inverse;
+};
 
-/// −E_y⁻¹ E_q; empty where it is not known to exist.
-BallRows implicit_slopes(const System& system) {
-    const auto m = static_cast<slong>(system.values.size()), n = static_cast<slong>(system.by_q.front().size());
-    arb_mat_t left, right, solution;
-    arb_mat_init(left, m, m);
-    arb_mat_init(right, m, n);
-    arb_mat_init(solution, m, n);
-    for (slong i = 0; i < m; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        for (slong j = 0; j < m; ++j)
-            arb_set(arb_mat_entry(left, i, j), system.by_unknown[row][static_cast<std::size_t>(j)].raw());
-        for (slong j = 0; j < n; ++j)
-            arb_neg(arb_mat_entry(right, i, j), system.by_q[row][static_cast<std::size_t>(j)].raw());
-    }
-    BallRows slopes;
-    if (arb_mat_solve(solution, left, right, intervals::ball_precision) != 0)
-        for (slong i = 0; i < m; ++i) {
-            slopes.emplace_back(static_cast<std::size_t>(n));
-            for (slong j = 0; j < n; ++j)
-                arb_set(slopes.back()[static_cast<std::size_t>(j)].raw(), arb_mat_entry(solution, i, j));
-        }
-    arb_mat_clear(left);
-    arb_mat_clear(right);
-    arb_mat_clear(solution);
-    return slopes;
-}
-
-/// Newton's method at the middle; empty where it does not end.
-Eigen::VectorXd solved(const CheckedChaos& chaos, const States& states, Eigen::VectorXd unknown, StatedStep& step) {
+MiddleStep middle_step(const CheckedChaos& chaos, const std::array<Ball, 5>& z, Eigen::VectorXd unknown,
+                       StatedStep step) {
+    MiddleStep found;
     for (int i = 0; i < 25; ++i) {
         const Balls at = balls_of(unknown);
-        step.slip = slip_of(chaos, states, at, step.contact_mode);
+        step.slip = slip_of(slip_before(chaos.scene, variables_of(chaos, z, at, false)), step.contact_mode);
         if (step.slip == 0 && step.contact_mode != "frictionless") step.slip = 1;
-        const System system = system_of(chaos, states, at, step, nullptr);
+        const System<Ball> system = system_of(chaos, chaos.scene, z, at, step, true);
         Eigen::VectorXd values(unknown.size());
         for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = middle(system.values[static_cast<std::size_t>(k)]);
-        Eigen::VectorXd change = middles_of(system.by_unknown).partialPivLu().solve(values);
+        found.inverse = middles_of(system.by_unknown).inverse();
+        Eigen::VectorXd change = found.inverse * values;
         if (!change.allFinite()) return {};
         const double size = change.lpNorm<Eigen::Infinity>();
         if (size > 0.5) change *= 0.5 / size;
         unknown -= change;
-        if (size < 1e-14 * (1 + unknown.lpNorm<Eigen::Infinity>())) return unknown;
-        if (i >= 12 && size < 1e-12) return unknown;
+        if (size > 1e-14 * (1 + unknown.lpNorm<Eigen::Infinity>()) && (i < 12 || size > 1e-12)) continue;
+        found.unknown = unknown;
+        return found;
     }
     return {};
 }
+
+/// A piece's points, and the next ones, by numbers that depend on its K directions.
+template <std::size_t K>
+class PieceImage {
+public:
+    using Number = Curved<K>;
+    using Numbers = std::vector<Number>;
+
+    PieceImage(const CheckedChaos& chaos, const StatedSet& set, const CarriedPiece& piece)
+        : chaos_(chaos), scene_{Number(chaos.scene.alpha),   Number(chaos.scene.beta),
+                                Number(chaos.scene.mu),      Number(chaos.scene.restitution),
+                                Number(chaos.scene.inertia), Number(chaos.scene.spacing),
+                                chaos.scene.sides,           chaos.scene.law} {
+        for (std::size_t a = 0; a < K; ++a) {
+            Number& x = z_[chaos.chart[a]];
+            x = Number(set.centre[a]);
+            for (std::size_t j = 0; j < K; ++j)
+                x += Number(set.matrix[a * K + j]) * Number::variable(piece.low[j], piece.high[j], j);
+        }
+        on_level_ = !chaos.jacobi || enclose_normal_velocity();
+    }
+
+    Carried image(const StatedCovering& covering, const Eigen::VectorXd& guess) {
+        Carried result;
+        result.open = "a piece's points are not shown to lie on the level of J";
+        if (!on_level_) return result;
+        step_.vertex_step = covering.vertex_step;
+        step_.contact_mode = covering.contact_mode;
+        std::array<Ball, 5> at;
+        for (std::size_t i = 0; i < 5; ++i) at[i] = Ball(z_[i].mid);
+        const MiddleStep start = middle_step(chaos_, at, guess, step_);
+        result.open = "no next point is found from the middle of a piece";
+        if (start.unknown.size() == 0) return result;
+        result.found = start.unknown;
+        result.open = "the next points of a piece are not enclosed";
+        const bool enclosed = enclose(start);
+        for (std::size_t j = 0; j < K; ++j) {
+            double effect = 0;
+            for (const Number& next : next_) effect += std::abs(next.by[j]);
+            if (std::isfinite(effect)) result.effects.push_back(effect);
+        }
+        if (result.effects.size() < K) result.effects.clear();
+        if (!enclosed) return result;
+        result.open = what_is_open(covering.vertex_step);
+        for (std::size_t a = 0; a < chaos_.kept.size(); ++a) {
+            const std::size_t index = chaos_.kept[a];
+            if (std::find(chaos_.chart.begin(), chaos_.chart.end(), index) == chaos_.chart.end()) continue;
+            result.middle.push_back(Ball(next_[a].mid) + around(0, next_[a].rest));
+            result.slopes.emplace_back();
+            for (const double slope : next_[a].by) result.slopes.back().emplace_back(slope);
+            result.curves.emplace_back();
+            for (const double curve : next_[a].two) result.curves.back().emplace_back(curve);
+        }
+        return result;
+    }
+
+private:
+    /// v_n of a disk without friction from energy less angular momentum, in axes along the swirl's arm: Newton's method
+    /// to a polynomial, then over the intervals about it.
+    bool enclose_normal_velocity() {
+        const auto turn = sine_cosine(z_[0]);
+        const Number reach = Number(1) - scene_.alpha, &vt = z_[3];
+        const Number x = scene_.beta + reach * turn.cosine, y = reach * turn.sine;
+        const auto open = [&](const Number& vn) {
+            const Number vx = turn.cosine * vn - turn.sine * vt, vy = turn.sine * vn + turn.cosine * vt;
+            return Number(0.5) * (vx * vx + vy * vy) - (x * vy - y * vx) - Number(*chaos_.jacobi);
+        };
+        const auto slope = [&](const Number& vn) { return vn - scene_.beta * turn.sine; };  // its derivative by v_n
+        const double a = 1 - scene_.alpha.mid + scene_.beta.mid * std::cos(z_[0].mid),
+                     b = scene_.beta.mid * std::sin(z_[0].mid), c = z_[3].mid - a;
+        Number vn(b - std::sqrt(a * a + b * b - c * c + 2 * *chaos_.jacobi));
+        if (!std::isfinite(vn.mid)) return false;
+        const double rate = slope(vn).mid;
+        for (int i = 0; i < 3; ++i) {
+            vn = vn - Number(1 / rate) * open(vn);
+            vn.rest = 0;
+        }
+        const double left = upper(abs(values_of(open(vn)))), within = 2 * left / std::abs(rate) + 1e-18;
+        if (!std::isfinite(within)) return false;
+        Number wide = vn;
+        wide.rest = within;
+        const Ball over = values_of(slope(wide));
+        if (!is_negative(over)) return false;  // the branch that leaves the wall
+        vn.rest = upper(Ball(left) / abs(over));
+        z_[2] = vn;
+        return vn.rest < within;
+    }
+
+    /// C times the equations' values at z(e) and polynomials of e.
+    Numbers changes_at(const Eigen::MatrixXd& inverse, const Numbers& next) const {
+        const Numbers open = system_of(chaos_, scene_, z_, next, step_, false).values;
+        Numbers changes(open.size());
+        for (std::size_t i = 0; i < open.size(); ++i)
+            for (std::size_t l = 0; l < open.size(); ++l)
+                changes[i] += Number(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(l))) * open[l];
+        return changes;
+    }
+
+    /// |1 − C E_y| over all that lies within `reach` of the polynomials.
+    Eigen::MatrixXd contraction(const Eigen::MatrixXd& inverse, const Eigen::VectorXd& reach) const {
+        const auto m = static_cast<std::size_t>(reach.size());
+        Numbers wide = next_;
+        for (std::size_t i = 0; i < m; ++i) wide[i].rest = reach[static_cast<Eigen::Index>(i)];
+        const auto rows = system_of(chaos_, scene_, z_, wide, step_, true).by_unknown;
+        Eigen::MatrixXd result(reach.size(), reach.size());
+        for (std::size_t i = 0; i < m; ++i)
+            for (std::size_t j = 0; j < m; ++j) {
+                Number entry(i == j ? 1 : 0);
+                for (std::size_t l = 0; l < m; ++l)
+                    entry += Number(-inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(l))) * rows[l][j];
+                result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = upper(abs(values_of(entry)));
+            }
+        return result;
+    }
+
+    /// next_ = polynomials of e with a range: Krawczyk's operator about them, −C E + (1 − C E_y) r, maps |r| ≤ reach
+    /// into its inside for every e.
+    bool enclose(const MiddleStep& start) {
+        next_.clear();
+        for (const double x : start.unknown) next_.emplace_back(x);
+        step_.slip = middle_slip();
+        if (step_.slip == 0 && step_.contact_mode != "frictionless") step_.slip = 1;
+        for (int i = 0; i < 2; ++i) {
+            const Numbers changes = changes_at(start.inverse, next_);
+            for (std::size_t k = 0; k < next_.size(); ++k) {
+                next_[k] = next_[k] - changes[k];
+                next_[k].rest = 0;
+            }
+        }
+        step_.slip =
+            slip_of(values_of(slip_before(scene_, variables_of(chaos_, z_, next_, false))), step_.contact_mode);
+        const Numbers left = changes_at(start.inverse, next_);
+        Eigen::VectorXd open(start.unknown.size());
+        for (Eigen::Index k = 0; k < open.size(); ++k)
+            open[k] = upper(abs(values_of(left[static_cast<std::size_t>(k)])));
+        Eigen::VectorXd reach = (2 * open).array() + 1e-18;
+        for (int round = 0; round < 2 && reach.allFinite(); ++round) {
+            const Eigen::MatrixXd rest = contraction(start.inverse, reach);
+            const Eigen::VectorXd image = (open + rest * reach) * (1 + 1e-12);  // the sums are rounded
+            if (!image.allFinite()) return false;
+            if ((image.array() < reach.array()).all()) {
+                for (std::size_t k = 0; k < next_.size(); ++k) next_[k].rest = image[static_cast<Eigen::Index>(k)];
+                return true;
+            }
+            for (int i = 0; i < 30; ++i) reach = 1.05 * (open + rest * reach).cwiseMax(open);
+        }
+        return false;
+    }
+
+    int middle_slip() const {
+        const Number slip = slip_before(scene_, variables_of(chaos_, z_, next_, false));
+        return slip_of(Ball(slip.mid), step_.contact_mode);
+    }
+
+    /// The inequalities of the impact, and the flight; empty if all hold.
+    std::string what_is_open(int vertex_step) const {
+        std::vector<Inequality> inequalities;
+        system_of(chaos_, scene_, z_, next_, step_, false, &inequalities);
+        inequalities.push_back({"flight time > 0", values_of(next_.back())});
+        char text[200];
+        for (const Inequality& wanted : inequalities)
+            if (!is_positive(wanted.value)) {
+                std::snprintf(text, sizeof text, "%s does not hold: it is %.3g at least", wanted.name.c_str(),
+                              lower(wanted.value));
+                return text;
+            }
+        const FlightBox flight{values_of(z_[0]), values_of(z_[1]), values_of(z_[2]),
+                               values_of(z_[3]), values_of(z_[4]), values_of(next_.back())};
+        return open_vertex(chaos_.scene, flight, vertex_step);
+    }
+
+    const CheckedChaos& chaos_;
+    SceneOver<Number> scene_;
+    std::array<Number, 5> z_;
+    Numbers next_;
+    StatedStep step_;
+    bool on_level_ = false;
+};
 
 }  // namespace
 
@@ -250,103 +328,34 @@ CheckedChaos checked_chaos(const StatedChaos& chaos) {
 
 BallRows inverse_of(const StatedSet& set) {
     const std::size_t n = set.centre.size();
-    System identity;  // A x = 1 as the linearised system −A⁻¹ (−1)
-    identity.values = Balls(n);
-    identity.by_unknown.assign(n, Balls(n));
-    identity.by_q.assign(n, Balls(n));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) identity.by_unknown[i][j] = Ball(set.matrix[i * n + j]);
-        identity.by_q[i][i] = Ball(-1);
-    }
-    return implicit_slopes(identity);
-}
-
-namespace {
-
-/// The next points and times of a piece, enclosed: of its middle alone, and of all.
-struct NextPoints {
-    Balls of_middle, all;
-    StatedStep step;  ///< with the slip
-    bool good = false;
-};
-
-NextPoints next_points(const CheckedChaos& chaos, const States& centre, const States& all, const Balls& offset,
-                       const Eigen::VectorXd& found, const StatedCovering& covering, StatedStep step) {
-    NextPoints next_ones;
-    const std::size_t n = offset.size();
-    const Balls start = balls_of(found);
-    const System rough = system_of(chaos, centre, start, step, nullptr);
-    const Eigen::MatrixXd inverse = middles_of(rough.by_unknown).inverse();
-    if (!inverse.allFinite()) return next_ones;
-    Balls narrow, wide;
-    const Eigen::MatrixXd slopes = (inverse * middles_of(rough.by_q)).cwiseAbs();
-    for (std::size_t i = 0; i < start.size(); ++i) {
-        double reach = 1e-11;
-        narrow.push_back(start[i] + around(0, reach));
-        for (std::size_t j = 0; j < n; ++j)
-            reach += slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * upper(offset[j]);
-        wide.push_back(start[i] + around(0, 1.6 * reach));
-    }
-    step.slip = slip_of(chaos, all, wide, covering.contact_mode);
-    const System at_middle = system_of(chaos, centre, start, step, nullptr);
-    next_ones.good =
-        maps_inside(at_middle, system_of(chaos, centre, narrow, step, nullptr), inverse, start, narrow, Balls(n),
-                    next_ones.of_middle) &&
-        maps_inside(at_middle, system_of(chaos, all, wide, step, nullptr), inverse, start, wide, offset, next_ones.all);
-    next_ones.step = step;
-    return next_ones;
-}
-
-/// The inequalities of the impact, and the flight.
-std::string check_piece(const CheckedChaos& chaos, const States& all, const NextPoints& to,
-                        const StatedCovering& covering, BallRows& by_q) {
-    std::vector<Inequality> inequalities;
-    by_q = implicit_slopes(system_of(chaos, all, to.all, to.step, &inequalities));
-    char text[200];
-    for (const Inequality& wanted : inequalities)
-        if (!is_positive(wanted.value)) {
-            std::snprintf(text, sizeof text, "%s does not hold: it is %.3g at least", wanted.name.c_str(),
-                          lower(wanted.value));
-            return text;
+    const auto size = static_cast<slong>(n);
+    arb_mat_t matrix, inverse;
+    arb_mat_init(matrix, size, size);
+    arb_mat_init(inverse, size, size);
+    for (std::size_t i = 0; i < n * n; ++i)
+        arb_set_d(arb_mat_entry(matrix, static_cast<slong>(i / n), static_cast<slong>(i % n)), set.matrix[i]);
+    BallRows rows;
+    if (arb_mat_inv(inverse, matrix, intervals::ball_precision) != 0)
+        for (slong i = 0; i < size; ++i) {
+            rows.emplace_back(n);
+            for (std::size_t j = 0; j < n; ++j)
+                arb_set(rows.back()[j].raw(), arb_mat_entry(inverse, i, static_cast<slong>(j)));
         }
-    if (by_q.empty()) return "the next points of a piece have no bounded derivative";
-    const FlightBox flight{all.z[0], all.z[1], all.z[2], all.z[3], all.z[4], to.all.back()};
-    return open_vertex(chaos.scene, flight, covering.vertex_step);
+    arb_mat_clear(matrix);
+    arb_mat_clear(inverse);
+    return rows;
 }
-
-}  // namespace
 
 Carried carried(const CheckedChaos& chaos, const StatedSet& set, const StatedCovering& covering,
                 const CarriedPiece& piece) {
-    Carried result;
-    Balls from_to, at;
-    for (std::size_t j = 0; j < chaos.chart.size(); ++j) {
-        from_to.push_back(between(piece.low[j], piece.high[j]));
-        at.push_back(exact_middle(from_to.back()));
-        result.offset.push_back(from_to.back() - at.back());
+    switch (chaos.chart.size()) {
+        case 2:
+            return PieceImage<2>(chaos, set, piece).image(covering, piece.guess);
+        case 4:
+            return PieceImage<4>(chaos, set, piece).image(covering, piece.guess);
+        default:
+            return PieceImage<5>(chaos, set, piece).image(covering, piece.guess);
     }
-    const States centre = states_of(chaos, set, at), all = states_of(chaos, set, from_to);
-    result.open = "a piece's points are not shown to lie on the level of J";
-    if (!centre.good || !all.good) return result;
-    StatedStep step;
-    step.vertex_step = covering.vertex_step;
-    step.contact_mode = covering.contact_mode;
-    result.middle = solved(chaos, centre, piece.guess, step);
-    result.open = "no next point is found from the middle of a piece";
-    if (result.middle.size() == 0) return result;
-    const NextPoints to = next_points(chaos, centre, all, result.offset, result.middle, covering, step);
-    result.open = "the next points of a piece are not enclosed";
-    if (!to.good) return result;
-    BallRows by_q;
-    result.open = check_piece(chaos, all, to, covering, by_q);
-    if (!result.open.empty()) return result;
-    for (const std::size_t index : chaos.chart)
-        for (std::size_t a = 0; a < chaos.kept.size(); ++a)
-            if (chaos.kept[a] == index) {
-                result.of_middle.push_back(to.of_middle[a]);
-                result.slopes.push_back(by_q[a]);
-            }
-    return result;
 }
 
 }  // namespace swirl::proof_check

@@ -30,15 +30,16 @@ struct CarriedPiece {
     Eigen::VectorXd guess;
 };
 
+/// The image of a piece: middle + Σ slopes_j e_j + Σ curves_{jk} e_j e_k (j ≤ k, in lexicographic order), |e_j| ≤ 1, of
+/// the chart's coordinates. `middle` holds what is of third order.
 struct Carried {
-    std::string open;        ///< what is not shown; then the rest has no meaning
-    Balls of_middle;         ///< the image of the piece's middle, chart coordinates
-    BallRows slopes;         ///< its derivative by q over the piece
-    Balls offset;            ///< q − middle
-    Eigen::VectorXd middle;  ///< next point and time of the middle
+    std::string open;  ///< what is not shown; then the image has no meaning
+    Balls middle;
+    BallRows slopes, curves;
+    std::vector<double> effects;  ///< of each direction on the next point, roughly; empty where nothing is known
+    Eigen::VectorXd found;        ///< next point and time of the middle; empty where none was found
 };
 
-/// `carried.middle` is set where it could be found, so that halves begin there.
 Carried carried(const CheckedChaos& chaos, const StatedSet& set, const StatedCovering& covering,
                 const CarriedPiece& piece);
 

@@ -22,18 +22,24 @@ using intervals::lower;
 using intervals::middle;
 using intervals::upper;
 
-/// Coordinates of x − y in a set's own axes, angles to the nearest turn.
-Balls in_axes(const CheckedChaos& chaos, const BallRows& inverse, const Balls& x, const std::vector<double>& y) {
+/// x − y, angles to the nearest turn.
+Balls difference(const CheckedChaos& chaos, const Balls& x, const std::vector<double>& y) {
     const Ball circle = Ball(2) * intervals::pi_ball();
-    Balls at(y.size());
+    Balls d(y.size());
     for (std::size_t j = 0; j < y.size(); ++j) {
-        Ball d = x[j] - Ball(y[j]);
-        if (chaos.chart[j] < 2) {
-            const double turns = std::round(middle(d / circle));
-            if (std::isfinite(turns)) d -= Ball(turns) * circle;
-        }
-        for (std::size_t i = 0; i < y.size(); ++i) at[i].add_product(inverse[i][j], d);
+        d[j] = x[j] - Ball(y[j]);
+        if (chaos.chart[j] >= 2) continue;
+        const double turns = std::round(middle(d[j] / circle));
+        if (std::isfinite(turns)) d[j] -= Ball(turns) * circle;
     }
+    return d;
+}
+
+/// In a set's own axes.
+Balls in_axes(const BallRows& inverse, const Balls& d) {
+    Balls at(d.size());
+    for (std::size_t j = 0; j < d.size(); ++j)
+        for (std::size_t i = 0; i < d.size(); ++i) at[i].add_product(inverse[i][j], d[j]);
     return at;
 }
 
@@ -43,11 +49,11 @@ struct Checker {
     const std::vector<BallRows>& inverses;
     const std::function<bool()>& stop;
 
-    /// The piece's image in the axes of the covering's second set; `widest` is the direction of q that it depends on
-    /// most beside the image's first coordinate.
+    /// The piece's image in the axes of the covering's second set, and how much of each coordinate is due to which
+    /// direction of q.
     struct Place {
         Balls at;
-        std::vector<double> effects;  ///< of each direction of q, on the contracted coordinates
+        std::vector<std::vector<double>> effects;  ///< coordinate, direction
         std::string open;
     };
 
@@ -56,24 +62,69 @@ struct Checker {
         place.open = image.open;
         if (!place.open.empty()) return place;
         const BallRows& inverse = inverses[covering.to];
-        place.at = in_axes(checked, inverse, image.of_middle, chaos.sets[covering.to].centre);
-        const std::size_t n = place.at.size();
-        place.effects.assign(n, 0);
-        for (std::size_t i = 0; i < n; ++i)
+        const Balls away = difference(checked, image.middle, chaos.sets[covering.to].centre);
+        const Ball either = around(0, 1), square = intervals::between(0, 1);
+        const std::size_t n = away.size();
+        for (std::size_t a = 0; a < n && checked.chart[a] < 2; ++a) {
+            Ball angle = away[a];  // what turns by half a turn or more may have gone round the other way
+            for (const BallRows* terms : {&image.slopes, &image.curves})
+                for (const Ball& term : (*terms)[a]) angle.add_product(term, either);
+            if (!is_positive(intervals::pi_ball() - abs(angle)))
+                place.open = "an image is not shown to lie less than half a turn from the set that it is carried over";
+        }
+        place.at = in_axes(inverse, away);
+        place.effects.assign(n, std::vector<double>(n, 0.0));
+        const auto turned = [&](std::size_t i, const BallRows& rows, std::size_t column) {
+            Ball sum;
+            for (std::size_t a = 0; a < n; ++a) sum.add_product(inverse[i][a], rows[a][column]);
+            return sum;
+        };
+        for (std::size_t i = 0; i < n; ++i) {
+            std::vector<double>& effects = place.effects[i];
+            std::size_t pair = 0;
             for (std::size_t j = 0; j < n; ++j) {
-                Ball slope;
-                for (std::size_t a = 0; a < n; ++a) slope.add_product(inverse[i][a], image.slopes[a][j]);
-                place.at[i].add_product(slope, image.offset[j]);
-                if (i > 0) place.effects[j] = std::max(place.effects[j], upper(abs(slope)));
+                const Ball slope = turned(i, image.slopes, j);
+                place.at[i].add_product(slope, either);
+                effects[j] += upper(abs(slope));
+                for (std::size_t k = j; k < n; ++k, ++pair) {
+                    const Ball curve = turned(i, image.curves, pair);
+                    place.at[i].add_product(curve, j == k ? square : either);
+                    effects[j] += upper(abs(curve));
+                    effects[k] += upper(abs(curve));
+                }
             }
+            if (!is_finite(place.at[i])) place.open = "the image of a piece is not bounded";
+        }
         return place;
+    }
+
+    /// The direction in which a piece is halved: that which its image depends on most.
+    static std::size_t direction_of(const CarriedPiece& piece, const StatedSet& set, const Carried& image,
+                                    const Place& place, std::size_t row) {
+        const std::size_t n = piece.low.size();
+        std::size_t widest = 0;
+        double best = -1;
+        for (std::size_t j = 0; j < n; ++j) {
+            double effect = 0;
+            if (place.open.empty())
+                effect = place.effects[row][j];
+            else if (!image.effects.empty())
+                effect = image.effects[j];
+            else
+                for (std::size_t a = 0; a < n; ++a)
+                    effect += std::abs(set.matrix[a * n + j]) * (piece.high[j] - piece.low[j]);
+            if (!(piece.high[j] > piece.low[j]) || effect <= best) continue;
+            best = effect;
+            widest = j;
+        }
+        return widest;
     }
 
     /// Every piece of a box of q satisfies `holds`, after halving; else why not.
     template <class Holds>
     std::string everywhere(const StatedCovering& covering, double first_low, double first_high,
                            const Holds& holds) const {
-        constexpr int most = 20'000;
+        constexpr int most = 6000;
         const std::size_t n = checked.chart.size();
         const StatedSet& set = chaos.sets[covering.from];
         Eigen::VectorXd guess(checked.kept.size() + 1);
@@ -90,28 +141,16 @@ struct Checker {
             const Carried image = carried(checked, set, covering, piece);
             const Place place = place_of(covering, image);
             std::string why = place.open;
-            if (why.empty() && holds(place.at, why)) continue;
-            if (looked >= most) return why + ", after 20000 pieces";
-            std::size_t widest = 0;
-            double best = -1;
-            for (std::size_t j = 0; j < n; ++j) {
-                double effect = 0;
-                if (place.open.empty())
-                    effect = place.effects[j];
-                else
-                    for (std::size_t a = 0; a < n; ++a) effect += std::abs(set.matrix[a * n + j]);
-                effect *= piece.high[j] - piece.low[j];
-                if (effect > best) {
-                    best = effect;
-                    widest = j;
-                }
-            }
+            std::size_t row = 0;
+            if (why.empty() && holds(place.at, row, why)) continue;
+            if (looked >= most) return why + ", after 6000 pieces";
+            const std::size_t widest = direction_of(piece, set, image, place, row);
             const double cut = 0.5 * (piece.low[widest] + piece.high[widest]);
             if (!(piece.high[widest] - piece.low[widest] > 1e-12)) return why + ": on a piece of no width";
             CarriedPiece one = piece, other = piece;
             one.high[widest] = cut;
             other.low[widest] = cut;
-            if (image.middle.size() != 0) one.guess = other.guess = image.middle;
+            if (image.found.size() != 0) one.guess = other.guess = image.found;
             waiting.push_back(std::move(other));
             waiting.push_back(std::move(one));
         }
@@ -124,7 +163,7 @@ struct Checker {
         int ends[2] = {0, 0};
         for (const int side : {0, 1}) {
             int& end = ends[side];
-            const auto beyond = [&end](const Balls& at, std::string& why) {
+            const auto beyond = [&end](const Balls& at, std::size_t&, std::string& why) {
                 const int now = side_of(at[0]);
                 if (now != 0 && (end == 0 || end == now)) {
                     end = now;
@@ -143,10 +182,11 @@ struct Checker {
     }
 
     std::string inside(const StatedCovering& covering) const {
-        return everywhere(covering, -1, 1, [](const Balls& at, std::string& why) {
+        return everywhere(covering, -1, 1, [](const Balls& at, std::size_t& row, std::string& why) {
             if (side_of(at[0]) != 0) return true;
             for (std::size_t i = 1; i < at.size(); ++i) {
                 if (is_positive(Ball(1) - abs(at[i]))) continue;
+                row = i;
                 char text[160];
                 std::snprintf(text, sizeof text, "coordinate %zu of the image is not shown to lie within: %.6g to %.6g",
                               i, lower(at[i]), upper(at[i]));
@@ -162,7 +202,7 @@ struct Checker {
         const std::size_t n = own.centre.size();
         Balls centre;
         for (const double x : other.centre) centre.emplace_back(x);
-        Balls at = in_axes(checked, inverses[i], centre, own.centre);
+        const Balls at = in_axes(inverses[i], difference(checked, centre, own.centre));
         for (std::size_t a = 0; a < n; ++a) {
             Ball reach(1);
             for (std::size_t k = 0; k < n; ++k) {
@@ -233,10 +273,12 @@ std::string what_fails(const StatedChaos& chaos, const std::function<bool()>& st
         }
     }
     const Checker checker{chaos, checked, inverses, stop};
-    for (std::size_t i = 0; i < chaos.sets.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (!checker.are_apart(i, j) && !checker.are_apart(j, i))
-                return "sets " + std::to_string(j + 1) + " and " + std::to_string(i + 1) + " may have a common point";
+    for (const StatedCovering& one : chaos.coverings)
+        for (const StatedCovering& other : chaos.coverings)
+            if (one.from == other.from && one.to < other.to && !checker.are_apart(one.to, other.to) &&
+                !checker.are_apart(other.to, one.to))
+                return "sets " + std::to_string(one.to + 1) + " and " + std::to_string(other.to + 1) +
+                       ", which one is carried over, may have a common point";
     for (const StatedCovering& covering : chaos.coverings)
         if (const std::string why = checker.exits(covering); !why.empty()) return about(covering, why);
     for (const StatedCovering& covering : chaos.coverings)

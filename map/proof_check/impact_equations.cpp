@@ -166,6 +166,14 @@ template StepEquationsOver<intervals::Curved<2>> step_equations(const SceneOver<
                                                                 const StatedStep&,
                                                                 const StepVariablesOver<intervals::Curved<2>>&,
                                                                 std::vector<Inequality>*);
+template StepEquationsOver<intervals::Curved<4>> step_equations(const SceneOver<intervals::Curved<4>>&,
+                                                                const StatedStep&,
+                                                                const StepVariablesOver<intervals::Curved<4>>&,
+                                                                std::vector<Inequality>*);
+template StepEquationsOver<intervals::Curved<5>> step_equations(const SceneOver<intervals::Curved<5>>&,
+                                                                const StatedStep&,
+                                                                const StepVariablesOver<intervals::Curved<5>>&,
+                                                                std::vector<Inequality>*);
 template StepEquationsOver<intervals::Curved<1>> step_equations(const SceneOver<GradientOver<intervals::Curved<1>>>&,
                                                                 const StatedStep&,
                                                                 const StepVariablesOver<intervals::Curved<1>>&,

@@ -29,7 +29,8 @@ struct StatedCovering {
     std::array<double, 5> image{};
 };
 
-/// No two sets have a common point; A v ≥ growth · v for the matrix A of the coverings; entropy ≤ log growth.
+/// No two sets over which one set is carried have a common point; A v ≥ growth · v for the matrix A of the coverings;
+/// entropy ≤ log growth.
 struct StatedChaos {
     StatedCycle scene;  ///< the scene alone is read
     std::optional<double> jacobi;

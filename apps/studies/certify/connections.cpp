@@ -1,3 +1,4 @@
+#include "apps/studies/certify/connecting_orbits.hpp"
 #include "apps/studies/certify/saddles.hpp"
 #include "apps/studies/certify/sampled_covering.hpp"
 
@@ -22,83 +23,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// An orbit from a point of an unstable manifold.
-struct Excursion {
-    std::vector<VectorXd> points;  ///< the first is on the manifold
-    std::vector<ChartStep> steps;
-    std::vector<std::int64_t> letters;
-};
-
-/// The unstable manifold of the set that is carried over set `i` of a saddle, outside of set i.
-class Manifold {
-public:
-    Manifold(const ChartMap& map, const Saddle& saddle, std::size_t i) : map_(map), saddle_(saddle), i_(i) {
-        double scale = 1;
-        while (scale * saddle.sets[i].width > 1e-6) {
-            scale /= std::abs(saddle.multiplier);
-            ++turns_;
-        }
-    }
-
-    /// The point whose distance along the direction is roughly so much; none where an orbit ends.
-    std::optional<VectorXd> at(double distance) const {
-        const FramedSet& set = saddle_.sets[i_];
-        VectorXd x = set.point + set.frame.direction * (distance / std::pow(saddle_.multiplier, turns_));
-        for (std::size_t k = 0; k < static_cast<std::size_t>(turns_) * saddle_.sets.size(); ++k) {
-            const ChartStep step = map_.step(x);
-            if (!step.alive) return {};
-            x = step.state;
-        }
-        return x;
-    }
-
-    /// Of `most` steps, less where it ends.
-    Excursion from(double distance, int most) const {
-        Excursion orbit;
-        std::optional<VectorXd> x = at(distance);
-        if (!x) return orbit;
-        orbit.points.push_back(*x);
-        for (int i = 0; i < most; ++i) {
-            orbit.steps.push_back(map_.step(orbit.points.back()));
-            if (!orbit.steps.back().alive) {
-                orbit.steps.pop_back();
-                break;
-            }
-            orbit.letters.push_back(orbit.steps.back().letter);
-            orbit.points.push_back(orbit.steps.back().state);
-        }
-        return orbit;
-    }
-
-private:
-    const ChartMap& map_;
-    const Saddle& saddle_;
-    std::size_t i_;
-    int turns_ = 0;
-};
-
-/// A set's own coordinates.
-struct Coordinates {
-    const FramedSet* set = nullptr;
-    MatrixXd inverse;
-
-    explicit Coordinates(const FramedSet& of) : set(&of), inverse(of.matrix().inverse()) {}
-    VectorXd of(const ChartMap& map, const VectorXd& x) const { return inverse * map.difference(x, set->point); }
-};
-
-double largest_side(const VectorXd& q) {
-    return q.tail(q.size() - 1).cwiseAbs().maxCoeff();
-}
-
-/// The first point of an orbit that lies in one of the sets; none: npos.
-std::size_t first_arrival(const ChartMap& map, const std::vector<Coordinates>& sets, const Excursion& orbit,
-                          std::size_t before) {
-    for (std::size_t m = 0; m < before; ++m)
-        for (const Coordinates& set : sets)
-            if (set.of(map, orbit.points[m]).cwiseAbs().maxCoeff() < 1) return m;
-    return before;
-}
-
 /// |d(image's first coordinate)/dq_0| and q_0 where the image crosses the frame's kernel.
 struct Crossing {
     double at = 0, slope = 0;
@@ -119,8 +43,9 @@ std::optional<Crossing> crossing_of(const ChartMap& map, const FramedSet& from, 
     return crossing;
 }
 
-/// Heights of `to` that hold the image of `from` where it crosses it; false: F is another branch there, or it ends.
-bool fit_heights(const ChartMap& map, const FramedSet& from, FramedSet& to, double guess) {
+/// Heights of `to` that hold the image of `from` where it crosses it, and are no less than a share of the largest of
+/// them (what is too flat needs many pieces); false: F is another branch there, or it ends.
+bool fit_heights(const ChartMap& map, const FramedSet& from, FramedSet& to, double guess, double share) {
     const std::optional<Crossing> crossing = crossing_of(map, from, to, guess);
     if (!crossing || std::abs(crossing->at) > 1) return false;
     const double reach = 1.4 * to.width / std::abs(crossing->slope);
@@ -137,6 +62,7 @@ bool fit_heights(const ChartMap& map, const FramedSet& from, FramedSet& to, doub
         const VectorXd at = inverse * map.difference(step.state, to.point);
         to.heights = to.heights.cwiseMax(1.25 * at.tail(n - 1).cwiseAbs());
     }
+    to.heights = to.heights.cwiseMax(share * to.heights.maxCoeff());
     return true;
 }
 
@@ -156,63 +82,94 @@ MatrixXd carried_sides(const RowVectorXd& covector, const MatrixXd& images) {
     return kernel * basis;
 }
 
-/// Sets about the orbit's points before `arrival`, in set `to_set` of b; none where they do not fit.
-std::optional<Connection> fitted(const ChartMap& map, const Saddle& a, std::size_t before, const Saddle& b,
-                                 std::size_t to_set, const Excursion& orbit, std::size_t arrival, double guess,
-                                 double room) {
-    Connection connection;
-    connection.from = a.number;
-    connection.from_set = before;
-    connection.to = b.number;
-    connection.to_set = to_set;
+/// The orbit's own crossing of `to`, from the middle of `from`, looked at more closely than `covers_in_samples` does.
+bool lands_within(const ChartMap& map, const FramedSet& from, const FramedSet& to) {
+    const ChartStep middle = map.step(from.point);
+    if (!middle.alive) return false;
+    const double growth = std::abs(to.frame.covector.dot(middle.by_state * from.frame.direction));
+    const double reach = std::min(1.0, 1.4 * to.width / (growth * from.width));
+    const MatrixXd own = from.matrix(), inverse = to.matrix().inverse();
+    const double offset = std::abs((inverse * map.difference(middle.state, to.point))[0]);
+    if (!(offset < 0.1)) return false;
+    for (const VectorXd& q : sampled_points(from.point.size(), -reach, reach, 9)) {
+        const ChartStep step = map.step(from.point + own * q);
+        if (!step.alive || step.letter != from.letter) return false;
+        if ((inverse * map.difference(step.state, to.point)).tail(own.cols() - 1).cwiseAbs().maxCoeff() > 0.9)
+            return false;
+    }
+    return true;
+}
+
+/// Without the last sets, where one before them is carried over a set of the cycle itself.
+void end_early(const ChartMap& map, const std::vector<FramedSet>& cycle, Connection& connection) {
+    const std::size_t count = connection.sets.size(), p = cycle.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const std::size_t to = (connection.to_set + p * count - (count - 1 - i)) % p;
+        const FramedSet& last = connection.sets[i];
+        if (!lands_within(map, last, cycle[to]) || !covers_in_samples(map, last, cycle[to])) continue;
+        connection.to_set = to;
+        connection.sets.resize(i + 1);
+        return;
+    }
+}
+
+struct Fit {
+    double room;   ///< by how much more than asked for each set is carried beyond the next one's exits
+    double least;  ///< width, in units of the target's: with wide sets of low sides their curvature matters less
+    double share;  ///< of the largest side that each other has at least
+};
+
+constexpr Fit fits[] = {{1.1, 0, 1e-3},  {1.25, 0, 1e-3},    {1.5, 0, 1e-3},    {1.25, 0.01, 5e-3}, {1.25, 0.1, 5e-3},
+                        {1.25, 1, 5e-3}, {1.25, 0.01, 1e-3}, {1.25, 0.1, 1e-3}, {1.25, 1, 1e-3}};
+
+/// Sets about the orbit's points; none where they do not fit.
+std::optional<Connection> fitted(const ChartMap& map, const std::vector<Saddle>& saddles, const ConnectingOrbit& orbit,
+                                 const Fit& fit) {
+    const FramedSet &source = saddles[orbit.from].sets[orbit.from_set], &target = saddles[orbit.to].sets[orbit.to_set];
+    const std::size_t count = orbit.points.size();
+    Connection connection{saddles[orbit.from].number, orbit.from_set, saddles[orbit.to].number, orbit.to_set, {}};
     std::vector<FramedSet>& sets = connection.sets;
-    sets.resize(arrival);
-    const FramedSet &source = a.sets[before], &target = b.sets[to_set];
+    sets.resize(count);
     // Stable directions from the end, unstable ones from the beginning.
     RowVectorXd covector = target.frame.covector;
-    for (std::size_t i = arrival; i-- > 0;) {
+    for (std::size_t i = count; i-- > 0;) {
         covector = covector * orbit.steps[i].by_state;
         covector /= covector.norm();
         sets[i].point = orbit.points[i];
-        sets[i].letter = orbit.letters[i];
+        sets[i].letter = orbit.steps[i].letter;
         sets[i].duration = orbit.steps[i].duration;
         sets[i].frame.covector = covector;
     }
-    const FramedSet* last = &source;
-    MatrixXd by_state = map.step(source.point + source.frame.direction * (source.width * guess)).by_state;
-    if (by_state.size() == 0) return {};
-    for (std::size_t i = 0; i < arrival; ++i) {
+    const auto before = [&](std::size_t i) { return i == 0 ? &source : &sets[i - 1]; };
+    const auto carried_by = [&](std::size_t i) { return i == 0 ? orbit.first_by_state : orbit.steps[i - 1].by_state; };
+    for (std::size_t i = 0; i < count; ++i) {
         Frame& frame = sets[i].frame;
-        frame.direction = (by_state * last->frame.direction).normalized();
+        frame.direction = (carried_by(i) * before(i)->frame.direction).normalized();
         const double along = frame.covector.dot(frame.direction);
         if (!(std::abs(along) > 1e-3)) return {};  // close to a tangency
         frame.covector /= along;
-        by_state = orbit.steps[i].by_state;
-        last = &sets[i];
     }
     // Widths from the end, so that the last one is carried across the target.
     double width = 1.12 * target.width;
     RowVectorXd next = target.frame.covector;
-    for (std::size_t i = arrival; i-- > 0;) {
+    for (std::size_t i = count; i-- > 0;) {
         const double growth = std::abs(next.dot(orbit.steps[i].by_state * sets[i].frame.direction));
-        sets[i].width = width * room / growth;
+        sets[i].width = std::max(width * fit.room / growth, fit.least * target.width);
         if (!(sets[i].width < 0.05)) return {};
         width = sets[i].width;
         next = sets[i].frame.covector;
     }
     // Heights from the beginning, so that each holds what is carried into it.
-    last = &source;
-    by_state = map.step(source.point + source.frame.direction * (source.width * guess)).by_state;
-    for (std::size_t i = 0; i < arrival; ++i) {
-        MatrixXd images = by_state * last->frame.sides * last->heights.asDiagonal();
+    for (std::size_t i = 0; i < count; ++i) {
+        const FramedSet& last = *before(i);
+        const MatrixXd images = carried_by(i) * last.frame.sides * last.heights.asDiagonal();
         sets[i].frame.sides = carried_sides(sets[i].frame.covector, images);
-        if (!fit_heights(map, *last, sets[i], i == 0 ? guess : 0)) return {};
+        if (!fit_heights(map, last, sets[i], i == 0 ? orbit.leaves_at : 0, fit.share)) return {};
         if (!(sets[i].heights.maxCoeff() < 0.2)) return {};
-        if (!covers_in_samples(map, *last, sets[i])) return {};
-        by_state = orbit.steps[i].by_state;
-        last = &sets[i];
+        if (!covers_in_samples(map, last, sets[i])) return {};
     }
-    if (!covers_in_samples(map, *last, target)) return {};
+    if (!covers_in_samples(map, sets.back(), target)) return {};
+    end_early(map, saddles[orbit.to].sets, connection);
     return connection;
 }
 
@@ -229,94 +186,16 @@ std::vector<ScanPart> scan_parts(const std::vector<Saddle>& saddles, int scan) {
     return parts;
 }
 
-namespace {
-
-/// A set that orbits may come to.
-struct Target {
-    std::size_t saddle, set;
-    Coordinates own;
-    double near;  ///< what lies farther is outside of its surroundings
-};
-
-std::vector<Target> targets_of(const std::vector<Saddle>& saddles) {
-    std::vector<Target> targets;
-    for (std::size_t b = 0; b < saddles.size(); ++b)
-        for (std::size_t j = 0; j < saddles[b].sets.size(); ++j) {
-            Coordinates own(saddles[b].sets[j]);
-            const Eigen::MatrixXd matrix = saddles[b].sets[j].matrix();
-            const double near =
-                3 * matrix.rightCols(matrix.cols() - 1).colwise().norm().sum() + 30 * matrix.col(0).norm();
-            targets.push_back({b, j, std::move(own), near});
-        }
-    return targets;
-}
-
-/// Between two neighbouring points of a manifold: the one whose m-th image lies on a target's stable manifold.
-std::optional<Excursion> arriving(const ChartMap& map, const Manifold& manifold, const Target& target, double left,
-                                  double right, double at_left, std::size_t m) {
-    Excursion middle;
-    for (int halving = 0; halving < 60; ++halving) {
-        const double cut = 0.5 * (left + right);
-        middle = manifold.from(cut, static_cast<int>(m));
-        if (middle.points.size() <= m) return {};
-        const double value = target.own.of(map, middle.points[m])[0];
-        if (std::abs(value) < 1e-7) break;
-        (value * at_left > 0 ? left : right) = cut;
-    }
-    const VectorXd end = target.own.of(map, middle.points[m]);
-    if (!(std::abs(end[0]) < 0.05) || largest_side(end) > 0.8) return {};
-    return middle;
-}
-
-}  // namespace
-
 std::vector<Connection> connections_in(const ChartMap& map, const std::vector<Saddle>& saddles, const ScanPart& part,
                                        int most, const std::function<bool()>& stop) {
     std::vector<Connection> found;
-    const std::vector<Target> targets = targets_of(saddles);
-    std::vector<Coordinates> all;
-    for (const Target& target : targets) all.push_back(target.own);
-    const Saddle& a = saddles[part.saddle];
-    const std::size_t before = (part.set + a.sets.size() - 1) % a.sets.size();
-    const FramedSet &source = a.sets[before], &left = a.sets[part.set];
-    const double slope =
-        left.frame.covector.dot(map.step(source.point).by_state * source.frame.direction) * source.width / left.width;
-    const double low = 1.02, high = 0.97 * std::abs(slope);
-    if (!(high > low)) return found;
-    const Manifold manifold(map, a, part.set);
-    const Coordinates at_left(left);
-    Excursion last;
-    double last_distance = 0;
-    for (int k = part.first; k <= part.last; ++k) {
-        if (stop && stop()) return found;
-        const double distance = part.side * left.width * low * std::pow(high / low, k / (1.0 * part.scan));
-        Excursion now = manifold.from(distance, most);
-        const std::size_t common = std::min(now.points.size(), last.points.size());
-        bool taken = false;
-        for (std::size_t m = 1; m < common && !taken; ++m) {
-            if (now.letters[m - 1] != last.letters[m - 1]) break;
-            for (const Target& target : targets) {
-                if (map.difference(now.points[m], target.own.set->point).norm() > target.near) continue;
-                const VectorXd one = target.own.of(map, last.points[m]), other = target.own.of(map, now.points[m]);
-                if (one[0] * other[0] > 0 || largest_side(one) > 3 || largest_side(other) > 3) continue;
-                const std::optional<Excursion> orbit =
-                    arriving(map, manifold, target, last_distance, distance, one[0], m);
-                if (!orbit) continue;
-                taken = true;
-                if (first_arrival(map, all, *orbit, m) != m) break;
-                const double guess = at_left.of(map, orbit->points[0])[0] / slope;
-                for (const double room : {1.1, 1.25, 1.5}) {
-                    auto fit = fitted(map, a, before, saddles[target.saddle], target.set, *orbit, m, guess, room);
-                    if (!fit) continue;
-                    found.push_back(std::move(*fit));
-                    break;
-                }
-                break;
-            }
+    for (const ConnectingOrbit& orbit : connecting_orbits(map, saddles, part, most, stop))
+        for (const Fit& fit : fits) {
+            std::optional<Connection> connection = fitted(map, saddles, orbit, fit);
+            if (!connection) continue;
+            found.push_back(std::move(*connection));
+            break;
         }
-        last = std::move(now);
-        last_distance = distance;
-    }
     return found;
 }
 

@@ -43,14 +43,11 @@ struct Attempt {
         orbit_of.push_back(owner);
         is_cycle.push_back(cycle);
     }
-    bool has_room(const ChartMap& map, const std::vector<FramedSet>& more) const {
-        for (std::size_t i = 0; i < more.size(); ++i) {
-            for (const FramedSet& set : sets)
-                if (!are_apart(map, set, more[i])) return false;
-            for (std::size_t j = 0; j < i; ++j)
-                if (!are_apart(map, more[j], more[i])) return false;
-        }
-        return true;
+    /// No common point with what set `from` is carried over already: paths that part there stay apart.
+    bool has_room(const ChartMap& map, std::size_t from, const FramedSet& next) const {
+        return std::none_of(claim.links.begin(), claim.links.end(), [&](const proof::CoveringClaim& link) {
+            return link.from == from && !are_apart(map, sets[link.to], next);
+        });
     }
 };
 
@@ -104,8 +101,6 @@ std::vector<Saddle> saddles_of(const ChartMap& map, const std::vector<CyclePlace
         cycle.period = places[i].points.size();
         cycle.multiplier = saddle.multiplier;
         cycle.reason = saddle.number == 0 ? "it was not tried" : saddle.reason;
-        if (cycle.reason.empty() && !attempt.has_room(map, saddle.sets))
-            cycle.reason = "its sets meet those of another cycle";
         if (cycle.reason.empty()) {
             cycle.first_set = attempt.sets.size();
             for (const FramedSet& set : saddle.sets) attempt.add(set);
@@ -136,17 +131,34 @@ std::vector<Connection> all_connections(const ChartMap& map, const std::vector<S
     return all;
 }
 
+/// Of which cycles some way leads to which, by number.
+std::set<std::pair<std::size_t, std::size_t>> ways_between(const std::vector<Connection>& connections) {
+    std::set<std::pair<std::size_t, std::size_t>> ways;
+    for (const Connection& connection : connections) ways.emplace(connection.from, connection.to);
+    for (std::size_t before = 0; before != ways.size();) {
+        before = ways.size();
+        const auto known = ways;
+        for (const auto& [a, b] : known)
+            for (const Connection& connection : connections)
+                if (connection.from == b) ways.emplace(a, connection.to);
+    }
+    return ways;
+}
+
+/// The shortest orbits that some way leads back from.
 void add_orbits(const ChartMap& map, const std::vector<Connection>& connections, const ChaosOptions& options,
                 Attempt& attempt, ProvenChaos& found) {
     std::map<std::size_t, std::size_t> first_set;
     for (const ChaosCycle& cycle : found.cycles)
         if (cycle.reason.empty()) first_set[cycle.number] = cycle.first_set;
+    const std::set<std::pair<std::size_t, std::size_t>> ways = ways_between(connections);
     for (const Connection& connection : connections) {
+        if (connection.from != connection.to && ways.count({connection.to, connection.from}) == 0) continue;
         if (found.orbits.size() >= static_cast<std::size_t>(options.most_links)) return;
-        if (!attempt.has_room(map, connection.sets)) continue;
+        std::size_t last = first_set.at(connection.from) + connection.from_set;
+        if (!attempt.has_room(map, last, connection.sets.front())) continue;
         ChaosLink orbit{connection.from, connection.to, attempt.sets.size(), connection.sets.size(), false, {}};
         const std::size_t owner = found.orbits.size();
-        std::size_t last = first_set.at(connection.from) + connection.from_set;
         for (const FramedSet& set : connection.sets) {
             const std::size_t now = attempt.add(set);
             attempt.link(last, now, owner, false);
@@ -228,12 +240,12 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const proof::ChaosClai
 
 /// The bound, or why there is none.
 void bound_growth(const Scene<double>& scene, ProvenChaos& found) {
-    for (std::size_t i = 0; i < found.claim.sets.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (std::string why = proof::common_point(scene, found.claim, j, i); !why.empty()) {
-                found.reason = std::move(why);
-                return;
-            }
+    for (const proof::CoveringClaim& one : found.claim.links)
+        for (const proof::CoveringClaim& other : found.claim.links) {
+            if (one.from != other.from || one.to >= other.to) continue;
+            found.reason = proof::common_point(scene, found.claim, one.to, other.to);
+            if (!found.reason.empty()) return;
+        }
     found.bound = proof::growth_bound(found.claim.sets.size(), pairs_of(found.claim));
 }
 

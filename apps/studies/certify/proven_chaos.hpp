@@ -19,11 +19,11 @@ struct SetShape {
 };
 
 struct ChaosOptions {
-    int longest_link = 10;  ///< impacts of an orbit between two cycles, at most
+    int longest_link = 12;  ///< impacts of an orbit between two cycles, at most
     int most_links = 64;    ///< orbits between cycles that are taken, the shortest first
     int scan = 4000;        ///< points of an unstable manifold that are tried, per set and side
     /// Of sets about cycles; that from which most follows is taken.
-    std::vector<SetShape> shapes{{1, 0.1}, {4, 0.1}, {0.25, 0.1}, {16, 0.1}, {0.25, 0.02}, {1, 0.02}};
+    std::vector<SetShape> shapes{{1, 0.1}, {4, 0.1}, {0.25, 0.1}, {16, 0.1}, {0.25, 0.02}, {1, 0.02}, {1, 0.0003}};
     int most_pieces = 3000;  ///< of a set, after which nothing is said
     int exponent_impacts = 20'000;
     RunControl control = {};
@@ -50,7 +50,8 @@ struct ProvenChaos {
     Scene<double> scene;
     std::vector<ChaosCycle> cycles;
     std::vector<ChaosLink> orbits;
-    proof::ChaosClaim claim;  ///< those sets and links alone that are proven, and no two sets with a common point
+    /// Those sets and links alone that are proven; what one set is carried over has no common point, two by two.
+    proof::ChaosClaim claim;
     std::vector<int> pieces;  ///< of each of its links
     proof::GrowthBound bound;
     double exponent = 0;    ///< the largest Lyapunov exponent of an orbit from the first set: a number without proof

@@ -121,10 +121,10 @@ class RoundCorners(unittest.TestCase):
         self.assertLess(min(point["parameter"] for point in points), 1e-12)
         self.assertGreater(max(point["parameter"] for point in points), 0.0199)
         last = max(points, key=lambda point: point["parameter"])
-        z = ",".join(f"{value!r}" for value in last["points"][0])
+        z = ",".join(f"{last['point'][name]!r}" for name in ("psi", "chi", "vn", "vt", "S"))
         rows = document(f"simulate {steady} --corner {last['parameter']!r} --point={z} --collisions 3")["collisions"]
         for row in rows:
-            self.assertAlmostEqual(row["spin"], last["points"][0][4], delta=1e-9)
+            self.assertAlmostEqual(row["spin"], last["point"]["S"], delta=1e-9)
 
     def test_wrong_values(self):
         for value, word in (("-0.1", "-0.1"), ("0.4", "0.4"), ("0.5", "0.5"), ("nan", "nan"), ("1e-80", "1e-80"), ("x", "'x'")):

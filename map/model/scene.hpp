@@ -72,7 +72,8 @@ template <class T>
 inline T uniform_inertia_factor(int sides, const T& alpha, const T& corner) {
     using std::cos;
     using std::sin;
-    if (corner == T(0) || sides == disk_sides) return uniform_inertia_factor<T>(sides);
+    const bool has_shape = corner > T(0) && corner <= alpha;  // else `validated` says what is wrong
+    if (!has_shape || sides == disk_sides) return uniform_inertia_factor<T>(sides);
     const T n = T(sides), half = T(pi<T>() / sides);
     const T r = corner / alpha, rho = (alpha - corner) / alpha;  // in R_p
     const T side = T(2) * rho * sin(half), apothem = sides == rod_sides ? T(0) : T(rho * cos(half));

@@ -150,7 +150,7 @@ TEST(RoundCorner, JoinsTheSharpPolygonAsItsRadiusFalls) {
     for (int tries = 0; scenes.size() < 20 && tries < 4000; ++tries) {
         Scene<double> scene = random_rounded(random, 0);
         scene.alpha = std::min(scene.alpha, 0.8);
-        if (scene.sides == rod_sides) continue;  // its kappa does not join: a stadium has an area
+        if (scene.sides == rod_sides) continue;  // its sides have no width
         const double vx = random.between(-1, 1), vy = random.between(-1, 1), spin = random.between(-2, 2);
         const LabStart<double> start{scene.beta, 0, vx, vy, random.angle(), spin};
         std::vector<LabState<double>> all;

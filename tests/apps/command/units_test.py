@@ -199,7 +199,7 @@ class Flags(unittest.TestCase):
 
     def test_help_says_unit_and_default(self):
         text = " ".join(run("simulate --help").stdout.split())
-        for said in ("with any of these five all that you give and read is in m, s, kg", "velocity, in R_c omega_s (default 0)",
+        for said in ("with any of these six all that you give and read is in m, s, kg", "velocity, in R_c omega_s (default 0)",
                      "in R_c omega_s (default 1/7 R_c omega_s)", "in radians (default 0)", "in SI units in rad/s"):
             self.assertIn(said, text)
 

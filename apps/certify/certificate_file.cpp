@@ -56,7 +56,13 @@ std::array<double, 5> coordinates_in(const Json& z) {
     return {at("psi"), z.contains("chi") ? at("chi") : 0.0, at("vn"), at("vt"), at("S")};
 }
 
+/// What else a scene may state (a floor that drags, rounded corners) is in no certificate, and would not be proven.
 void read_scene(const Json& scene, StatedCycle& cycle) {
+    static const std::set<std::string> proven = {"sides",       "alpha", "beta",          "mu",
+                                                 "restitution", "law",   "inertia_factor"};
+    for (const auto& [name, value] : scene.items())
+        if (!proven.contains(name))
+            throw BadInput(fmt::format("its scene states '{}', which no proof is extended to", name));
     const Json& sides = scene.at("sides");
     cycle.sides = sides.is_string() ? (sides.get<std::string>() == "disk" ? 0 : -1) : whole(sides);
     cycle.alpha = scene.at("alpha").get<double>();
@@ -326,6 +332,12 @@ proof_check::StatedChaos chaos_in(const Json& document) {
     chaos.growth = result.at("growth").get<double>();
     chaos.entropy = result.at("entropy").get<double>();
     if (const Json& level = document.at("J"); !level.is_null()) chaos.jacobi = level.get<double>();
+    using Names = std::vector<std::string>;
+    const Names wanted = chaos.scene.sides != 0 ? Names{"psi", "chi", "vn", "vt", "S"}
+                         : chaos.scene.mu == 0  ? Names{"psi", "vt"}
+                                                : Names{"psi", "vn", "vt", "S"};
+    if (document.at("coordinates").get<Names>() != wanted)
+        throw BadInput("its sets are in other coordinates than those of a proof of chaos");
     for (const Json& row : document.at("sets")) {
         proof_check::StatedSet set;
         set.centre = row.at("centre").get<std::vector<double>>();

@@ -150,17 +150,18 @@ std::string in_words(const SteadySearch& steady, const std::optional<Units>& uni
     return steady.is_complete() ? all : all + "; there are more";
 }
 
-std::string in_words(const PeriodSearch& search) {
+std::string in_words(const PeriodSearch& search, bool is_rounded) {
     const auto& u = search.unseen;
-    std::string words = fmt::format("period {}{}: {} cycles from {} candidates", search.period,
-                                    search.period == 1 ? ", through contact" : "", u.found, search.tried);
+    // No equations give a rounded body's fixed points, and its contact is not followed.
+    std::string words =
+        fmt::format("period {}{}: {} cycles from {} candidates", search.period,
+                    search.period == 1 && !is_rounded ? ", through contact" : "", u.found, search.tried);
     if (u.found == 0) return words;
     words += fmt::format("; {} were found once, {} twice: ", u.once, u.twice);
-    if (u.missed < 0.5)
-        words += "fewer than one is missing, if all are as easy to find";
-    else
-        words += fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed, u.least_missed,
-                             u.most_missed);
+    words += u.missed < 0.5 ? "fewer than one is missing, if all are as easy to find"
+                            : fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed,
+                                          u.least_missed, u.most_missed);
+    if (is_rounded && search.period == 1) words += "; strongly unstable ones are harder to find";
     return words;
 }
 
@@ -220,7 +221,8 @@ void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, cons
     fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(options.scene.units()),
                found.interrupted ? "  interrupted\n" : "");
     if (found.steady) fmt::print("{}\n", wrapped("  " + in_words(*found.steady, options.scene.units()), 4));
-    for (const auto& search : found.searches) fmt::print("{}\n", wrapped("  " + in_words(search), 4));
+    for (const auto& search : found.searches)
+        fmt::print("{}\n", wrapped("  " + in_words(search, scene.is_rounded()), 4));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);
     if (found.cycles.empty()) {

@@ -27,8 +27,10 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
         const bool inertia = parameter.first == "inertia_factor";
         const std::string axis = flag_name(parameter.first);
         if (gridded(axis)) continue;
-        if (inertia && gridded("sides") && !options.scene.has("inertia-factor"))
-            settings.emplace_back("inertia_factor", std::string("uniform"));  // the lamina's, which depends on N
+        // The lamina's κ depends on N and, of rounded corners, on r/α.
+        const bool varies = gridded("sides") || gridded("corner") || (first.is_rounded() && gridded("alpha"));
+        if (inertia && varies && !options.scene.has("inertia-factor"))
+            settings.emplace_back("inertia_factor", std::string("uniform"));
         else
             settings.push_back(parameter);
     }

@@ -92,6 +92,16 @@ class Chaos:
             claims[i % len(claims)](edited, draw)
             self.refused(edited)
 
+    def test_what_no_proof_looks_at_can_not_be_stated(self):
+        """A scene with more in it than is proven, and sets in other coordinates than those that they are checked in."""
+        for key, value in (("corner", 0.01), ("drag", 0.1), ("tangential_restitution", 0.5), ("bogus", 1)):
+            edited = json.loads(self.text)
+            edited["scene"][key] = value
+            self.refused(edited, 2)
+        edited = json.loads(self.text)
+        edited["coordinates"].reverse()
+        self.refused(edited, 2)
+
     def test_edited_certificates_are_refused(self):
         draw = random.Random(8)
         end = self.text.rindex('"checksum"')
@@ -133,11 +143,11 @@ class Chaos:
         for row in chosen["matrix"]:
             row[1] *= draw.uniform(0.001, 0.01)
 
-    def refused(self, edited):
+    def refused(self, edited, code=3):
         edited.pop("checksum")  # it comes last
         text = with_new_checksum(json.dumps(edited, indent=2).rstrip("}\n") + ",\n  \"checksum\"")
         result = run(f"certify --check {self.file('edited.json', text)}")
-        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
 
 
 class ChaosOfADisk(Chaos, InFolder):

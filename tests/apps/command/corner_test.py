@@ -138,10 +138,17 @@ class RoundCorners(unittest.TestCase):
                            (f"simulate {ROUND} --noise-wall 0.1", "noise"),
                            (f"simulate {ROUND} --corner-radius 0.1", "both given"),
                            (f"ramp {SHARP} --along corner=0:0.1 --rate 1e-3", "the body"),
+                           (f"simulate {ROUND} --accuracy paper", "accuracy = paper is not extended to rounded corners"),
                            (f"classify {ROUND} --accuracy quad", "rounded corners")):
             result = run(line)
             self.assertEqual((result.returncode, result.stdout), (2, ""), line)
             self.assertIn(word, result.stderr, line)
+
+    def test_the_inertia_of_a_map_over_the_radius_is_its_cells_own(self):
+        for grid in ("--grid corner=0:0.2:2", "--corner 0.1 --grid alpha=0.3:0.5:2"):
+            scene = SHARP if "corner=" in grid else SHARP.replace("--alpha 0.4 ", "")
+            found = document(f"sweep {scene} {grid} --runs 1 --collisions 100 --transient 10")
+            self.assertEqual(found["settings"]["inertia_factor"], "uniform")
 
     def test_lengths_in_metres(self):
         scene = ("--sides 6 --container-radius 0.1 --polygon-radius 0.04 --swirl-radius 0.05 --corner-radius 0.005 --mu 0.5 "

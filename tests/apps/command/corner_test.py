@@ -3,28 +3,15 @@
 import json
 import math
 import re
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 
-from driving import document, run, without_progress
+from driving import InFolder, document, run, without_progress
+from every_command import ASKED, FollowedOrRefused
 
 SHARP = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 ROUND = f"{SHARP} --corner 0.05"
-#: How a command is asked, beside its scene.
-ASKED = {
-    "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
-    "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100",
-    "orbits": "--max-period 1 --starts 50 --trajectories 1 --collisions 100",
-    "describe": "", "tradeoff": "--budget 1", "certify": "--all",
-    "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
-    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
-    "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
-    "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
-}
 REFUSED = {"tradeoff", "certify", "boundaries", "describe"}
 
 
@@ -44,25 +31,9 @@ def kappa_of(sides, alpha, r):
     return second / area / alpha ** 2
 
 
-class RoundCorners(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class RoundCorners(InFolder, FollowedOrRefused):
     def test_every_command_with_a_scene_follows_or_refuses_them(self):
-        for name, asked in ASKED.items():
-            result = run(f"{name} {ROUND} {asked} --quiet --json")
-            if name in REFUSED:
-                self.assertEqual((result.returncode, result.stdout), (2, ""), name)
-                lines = without_progress(result.stderr)
-                self.assertEqual(len(lines), 1, (name, result.stderr))
-                self.assertIn("corner = 0.05", lines[0], name)
-            else:
-                self.assertIn(result.returncode, (0, 3), (name, result.stderr))
-                answer = json.loads(result.stdout)
-                scene = answer.get("scene") or answer["settings"]
-                self.assertEqual(scene["corner"], 0.05, name)
+        self.check_every_command(ASKED, lambda name: ROUND, REFUSED, ["corner = 0.05"], {"corner": 0.05})
 
     def test_kappa_is_that_of_the_shape(self):
         for sides, alpha, r in ((6, 0.4, 0.05), (3, 0.5, 0.3), (12, 0.6, 0.01)):

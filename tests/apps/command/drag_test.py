@@ -2,33 +2,24 @@
 it."""
 
 import cmath
-import json
 import math
 import re
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 import h5py
 
-from driving import document, run, without_progress
+import every_command
+from driving import InFolder, document, run
 
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 ELASTIC = "--sides 6 --alpha 0.3 --beta 0.8 --mu 0.3 --restitution 1"
 POINT = "--near=-0.0839,0.028,-0.5542,0.8898,-0.9793 --period 1"
 #: How a command is asked, beside its scene; none has a word on drag of its own.
-ASKED = {
-    "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
-    "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100",
-    "orbits": "--max-period 1 --starts 100 --trajectories 1 --collisions 200",
-    "describe": "", "tradeoff": "--budget 1", "certify": POINT,
+ASKED = every_command.ASKED | {
+    "orbits": "--max-period 1 --starts 100 --trajectories 1 --collisions 200", "certify": POINT,
     "continue": "--from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41",
-    "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
-    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
-    "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
-    "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
 }
 REFUSED = {"tradeoff", "certify", "boundaries"}
 #: Those that take no scene's flags.
@@ -36,28 +27,12 @@ WITHOUT_SCENE = {"join", "show", "plot", "animate", "explore", "notebook", "manu
                  "fit", "help"}
 
 
-class Drag(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Drag(InFolder, every_command.FollowedOrRefused):
     def test_every_command_follows_or_refuses_it(self):
         commands = set(re.findall(r"^  (\w+)  +\S", run("--help").stdout, re.M))
         self.assertLessEqual(set(ASKED), commands)
         self.assertEqual(commands - set(ASKED) - WITHOUT_SCENE, set())
-        for name, asked in ASKED.items():
-            result = run(f"{name} {HEXAGON} {asked} --drag 0.2 --quiet --json")
-            if name in REFUSED:
-                self.assertEqual((result.returncode, result.stdout), (2, ""), name)
-                lines = without_progress(result.stderr)
-                self.assertEqual(len(lines), 1, (name, result.stderr))
-                self.assertIn("drag = 0.2", lines[0], name)
-            else:
-                self.assertIn(result.returncode, (0, 3), (name, result.stderr))
-                answer = json.loads(result.stdout)
-                scene = answer.get("scene") or answer["settings"]
-                self.assertEqual((scene["drag"], scene["floor"]), (0.2, "dish"), name)
+        self.check_every_command(ASKED, lambda name: f"{HEXAGON} --drag 0.2", REFUSED, ["drag = 0.2"], {"drag": 0.2, "floor": "dish"})
 
     def test_axes_over_drag(self):
         cells = document(f"sweep {HEXAGON} --grid drag=0:0.2:3 --runs 1 --transient 50 --collisions 100")["cells"]

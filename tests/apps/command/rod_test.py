@@ -6,38 +6,16 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from driving import document, run, without_progress
+from driving import document, run
+from every_command import ASKED, FollowedOrRefused
 
 ROD = "--sides 2 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
-ASKED = {
-    "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
-    "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100",
-    "orbits": "--max-period 1 --starts 50 --trajectories 1 --collisions 100",
-    "describe": "", "tradeoff": "--budget 1", "certify": "--all",
-    "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
-    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
-    "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
-    "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
-}
 REFUSED = {"tradeoff", "certify", "boundaries"}
 
 
-class Rod(unittest.TestCase):
+class Rod(unittest.TestCase, FollowedOrRefused):
     def test_commands_know_or_refuse_it(self):
-        for name, asked in ASKED.items():
-            result = run(f"{name} {ROD} {asked} --quiet --json")
-            if name in REFUSED:
-                self.assertEqual((result.returncode, result.stdout), (2, ""), name)
-                lines = without_progress(result.stderr)
-                self.assertEqual(len(lines), 1, (name, result.stderr))
-                self.assertIn("sides = 2", lines[0], name)
-                self.assertIn("rod", lines[0], name)
-            else:
-                self.assertIn(result.returncode, (0, 3), (name, result.stderr))
-                answer = json.loads(result.stdout)
-                scene = answer.get("scene") or answer["settings"]
-                self.assertEqual(scene["sides"], 2, name)
+        self.check_every_command(ASKED, lambda name: ROD, REFUSED, ["sides = 2", "rod"], {"sides": 2})
 
     def test_its_numbers(self):
         facts = document(f"describe {ROD}")

@@ -1,57 +1,31 @@
 """--tangential-restitution, from outside: tangential_restitution_test.py SWIRL. What follows it, and what refuses it."""
 
-import json
 import math
 import re
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 
-from driving import document, run, without_progress
+import every_command
+from driving import InFolder, document, run, without_progress
 
 DISK = "--sides disk --alpha 0.3 --beta 0.4 --mu 0.5 --restitution 1"
 LOSSY = "--sides disk --alpha 0.3 --beta 0.4 --mu 0.5 --restitution 0.6"
 BILLIARD = "--sides disk --alpha 0.3 --beta 0 --mu 1000 --restitution 1 --tangential-restitution 1 --x 0.1 --vy 0.8 --spin 2"
 #: How a command is asked, beside its scene.
-ASKED = {
-    "simulate": "--collisions 20", "classify": "--transient 50 --collisions 100",
-    "recurrence": "--transient 50 --collisions 100", "spectrum": "--transient 50 --collisions 100",
-    "lyapunov": "--transient 50 --collisions 100",
-    "orbits": "--max-period 1 --starts 50 --trajectories 1 --collisions 100",
-    "describe": "", "tradeoff": "--budget 1",
+ASKED = every_command.ASKED | {
     "certify": "--near=0,-0.43056,0.19151,-0.30504 --period 1",
     "continue": "--from=0,-0.43056,0.19151,-0.30504 --along tau=1:1.5",
-    "bifurcate": "--along beta=0.4:0.5:2 --transient 50 --collisions 100",
-    "ramp": "--along beta=0.4:0.5 --duration 50 --transient 50 --windows 4",
-    "sweep": "--grid beta=0.4:0.5:2 --runs 1 --transient 50 --collisions 100",
-    "boundaries": "--plane alpha=0.39:0.41 --plane beta=0.49:0.51 --max-period 1",
 }
 REFUSED = {"tradeoff", "certify", "boundaries"}
 #: The family that this one continues is of another swirl.
 SCENES = {"continue": "--sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1"}
 
 
-class TangentialRestitution(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class TangentialRestitution(InFolder, every_command.FollowedOrRefused):
     def test_every_command_with_a_scene_follows_or_refuses_it(self):
-        for name, asked in ASKED.items():
-            result = run(f"{name} {SCENES.get(name, DISK)} {asked} --tangential-restitution 0.7 --quiet --json")
-            if name in REFUSED:
-                self.assertEqual((result.returncode, result.stdout), (2, ""), name)
-                lines = without_progress(result.stderr)
-                self.assertEqual(len(lines), 1, (name, result.stderr))
-                self.assertIn("tangential-restitution = 0.7", lines[0], name)
-            else:
-                self.assertIn(result.returncode, (0, 3), (name, result.stderr))
-                answer = json.loads(result.stdout)
-                scene = answer.get("scene") or answer["settings"]
-                self.assertEqual(scene["tangential_restitution"], 0.7, name)
+        self.check_every_command(ASKED, lambda name: f"{SCENES.get(name, DISK)} --tangential-restitution 0.7", REFUSED,
+                                 ["tangential-restitution = 0.7"], {"tangential_restitution": 0.7})
 
     def test_axes_over_it(self):
         asked = "--transient 50 --collisions 100"

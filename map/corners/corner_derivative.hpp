@@ -6,9 +6,7 @@
 #include "map/derivative/saltation.hpp"
 #include "map/derivative/strike_along.hpp"
 
-#include <Eigen/Core>
-
-#include <cstddef>
+#include <utility>
 
 namespace swirl {
 
@@ -22,35 +20,45 @@ Matrix5<T> in_container_units(Matrix5<T> d, const T& unit) {
     return d;
 }
 
+/// DF in R_c.
+///   struck  (flight, contact_change_of): the state before the impact, and the impulse in the body's units
+template <class T, Shape shape, ImpactRule rule, class Struck>
+Matrix5<T> corner_derivative(const CornerMap<T, shape, rule>& map, const PostImpactState<T>& start, const T& time,
+                             int vertex_step, const Struck& struck) {
+    const Body<T>& body = map.body();
+    const Flight<T> flight = map.flight_after(start);
+    const auto contact = contact_change_of<shape>(body, flight, time, vertex_step);
+    Matrix5<T> d = flight_derivative<shape>(flight, contact, time);
+    const auto [before, impulse] = struck(flight, contact);
+    add_impact<rule, true>(body, map.scene(), before, impulse, d);
+    return in_container_units(d, body.unit);
+}
+
 }  // namespace detail
 
 /// As of CollisionMap, in the body's units, with the lever arm of the corner.
 template <class T, Shape shape, ImpactRule rule>
 auto derivative_by_saltation(const CornerMap<T, shape, rule>& map, const PostImpactState<T>& start,
                              const Collision<T>& known) {
-    const Body<T>& body = map.body();
-    const Flight<T> flight = map.flight_after(start);
-    const auto contact = detail::contact_change_of<shape>(body, flight, known.flight_time, known.vertex_step);
-    detail::Matrix5<T> d = detail::flight_derivative<shape>(flight, contact, known.flight_time);
-    const PostImpactState<T> before = detail::before_impact(flight, known.normal, known.after);
-    const Impulse<T> impulse{known.impulse.normal / body.unit, known.impulse.tangential / body.unit,
-                             known.impulse.mode};
-    detail::add_impact<rule, true>(body, map.scene(), before, impulse, d);
-    return detail::in_container_units(d, body.unit);
+    return detail::corner_derivative(
+        map, start, known.flight_time, known.vertex_step, [&](const Flight<T>& flight, const auto&) {
+            const T& unit = map.body().unit;
+            return std::pair(
+                detail::before_impact(flight, known.normal, known.after),
+                Impulse<T>{known.impulse.normal / unit, known.impulse.tangential / unit, known.impulse.mode});
+        });
 }
 
 template <Shape shape, ImpactRule rule>
 auto derivative_by_saltation(const CornerMap<double, shape, rule>& map, const PostImpactState<double>& start,
                              const KeptFlight& kept) {
-    const Body<double>& body = map.body();
-    const Flight<double> flight = map.flight_after(start);
-    const auto contact = detail::contact_change_of<shape>(body, flight, kept.flight_time, kept.vertex_step);
-    detail::Matrix5<double> d = detail::flight_derivative<shape>(flight, contact, kept.flight_time);
-    const PostImpactState<double> before = detail::before_impact(flight, contact.normal, kept.after);
-    const Impulse<double> impulse{before.vn - kept.after.vn / body.unit, kept.after.vt / body.unit - before.vt,
-                                  kept.mode};
-    detail::add_impact<rule, true>(body, map.scene(), before, impulse, d);
-    return detail::in_container_units(d, body.unit);
+    return detail::corner_derivative(
+        map, start, kept.flight_time, kept.vertex_step, [&](const Flight<double>& flight, const auto& contact) {
+            const double unit = map.body().unit;
+            const PostImpactState<double> before = detail::before_impact(flight, contact.normal, kept.after);
+            return std::pair(
+                before, Impulse<double>{before.vn - kept.after.vn / unit, kept.after.vt / unit - before.vt, kept.mode});
+        });
 }
 
 /// The flight and its impact in Jets, as of CollisionMap.
@@ -64,17 +72,8 @@ Collision<J> strike_along(const CornerMap<J, shape, rule>& map, const Flight<J>&
 template <class T, Shape shape, ImpactRule rule>
 auto derivative_along(const CornerMap<T, shape, rule>& map, Parameter parameter, const PostImpactState<T>& post_impact,
                       const Collision<T>& known) {
-    constexpr int dimension = section_dimension<shape>;
-    using Jet = ceres::Jet<T, 1>;
-    Scene<Jet> along = scene_in<Jet>(map.scene());
-    number_of(along, parameter).v[0] = T(1);
-    const CornerMap<Jet, shape, rule> jets(along);
-    const Flight<Jet> flight = jets.flight_after(state_in_jets<Jet>(post_impact));
-    const auto collision = strike_along(jets, flight, known.flight_time, known.vertex_step);
-    const auto next = coordinates<shape>(section_point(collision.after));
-    Eigen::Matrix<T, dimension, 1> result;
-    for (int i = 0; i < dimension; ++i) result[i] = next[static_cast<std::size_t>(i)].v[0];
-    return result;
+    return detail::along_in_jets(map, parameter, post_impact, known,
+                                 [](const auto& jets, const auto& state) { return jets.flight_after(state); });
 }
 
 }  // namespace swirl

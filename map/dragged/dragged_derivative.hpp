@@ -7,11 +7,8 @@
 #include "map/dragged/dragged_map.hpp"
 #include "map/numbers/jets.hpp"
 
-#include <Eigen/Core>
-
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace swirl {
 
@@ -172,18 +169,9 @@ Collision<J> strike_along(const DraggedMap<J, shape, rule>& map, const DraggedFl
 template <class T, Shape shape, ImpactRule rule>
 auto derivative_along(const DraggedMap<T, shape, rule>& map, Parameter parameter, const PostImpactState<T>& post_impact,
                       const Collision<T>& known) {
-    constexpr int dimension = section_dimension<shape>;
-    using Jet = ceres::Jet<T, 1>;
-    Scene<Jet> along = scene_in<Jet>(map.scene());
-    number_of(along, parameter).v[0] = T(1);
-    const DraggedMap<Jet, shape, rule> jets(along);
-    const DraggedFlight<Jet> flight =
-        dragged_flight(jets.floor(), flight_from(jets.body(), state_in_jets<Jet>(post_impact)));
-    const auto collision = strike_along(jets, flight, known.flight_time, known.vertex_step);
-    const auto next = coordinates<shape>(section_point(collision.after));
-    Eigen::Matrix<T, dimension, 1> result;
-    for (int i = 0; i < dimension; ++i) result[i] = next[static_cast<std::size_t>(i)].v[0];
-    return result;
+    return detail::along_in_jets(map, parameter, post_impact, known, [](const auto& jets, const auto& state) {
+        return dragged_flight(jets.floor(), flight_from(jets.body(), state));
+    });
 }
 
 }  // namespace swirl

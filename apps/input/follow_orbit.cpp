@@ -58,7 +58,7 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
                const OutputOptions& output, OrbitColumns& columns) {
     const Scene<T> scene = scene_options.scene<T>(Extensions::followed);
     const Start<T> start = start_options.start<T>(scene);
-    SceneOrbit<T> orbit(scene, start, baseline_of(output.accuracy()));
+    SceneOrbit<T> orbit(scene, start, baseline_for(scene, output.accuracy()));
     std::visit(
         [&](const auto& s) {
             TrajectorySegmenter cutter(scene, s);

@@ -120,7 +120,7 @@ SceneOrbit<T> orbit_of(const SimulateOptions& options, const Scene<T>& scene, co
     if constexpr (std::is_same_v<T, double>)
         if (const ImpactNoise noise = options.noise.noise(options.start, options.output); noise.is_any())
             return {scene, noisy_orbit(scene, start, noise)};
-    return {scene, start, baseline_of(options.output.accuracy())};
+    return {scene, start, baseline_for(scene, options.output.accuracy())};
 }
 
 template <class T>

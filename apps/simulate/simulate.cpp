@@ -142,10 +142,7 @@ int simulate(SimulateOptions& options) {
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
-    const Accuracy accuracy = options.output.accuracy();  // a wrong name is reported before any work
-    if (baseline_of(accuracy) && scene.has_own_map())
-        throw BadInput(fmt::format("accuracy = {} is not extended to {}; double, extended or quad is wanted",
-                                   name_of(accuracy), scene.has_drag() ? "a floor that drags" : "rounded corners"));
+    baseline_for(scene, options.output.accuracy());  // what is wrong with it is reported before any work
     if (options.noise.noise(options.start, options.output).is_any()) without_rounding(scene, "noise at impacts");
     check_start(options, scene);
     note_interruptions();

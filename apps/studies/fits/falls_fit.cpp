@@ -90,14 +90,13 @@ void find_plate(FallsFit& falls, const FilmedScene& scene) {
     }
     const std::vector<Kink> kinks = analysis::kinks_of(falls.arcs);
     constexpr int rounds = 3;
-    constexpr double most_error =
-        0.025;  // R_p: where noise has bent an arc, lines meet anywhere, also within 4 of these
     for (int round = 0; round < rounds; ++round) {
         falls.impacts = film_impacts(falls.arcs, kinks, scene, on_plate(scene, falls.plate));
         for (FilmImpact& found : falls.impacts) {
             if (found.use != KinkUse::used) continue;
             if (!is_free(found.kink)) found.use = KinkUse::stays_on_wall;
-            if (errors_of(found.kink, noise, scene, found.contact).across > most_error) found.use = KinkUse::no_meeting;
+            if (errors_of(found.kink, noise, scene, found.contact).across > most_error_across_plate)
+                found.use = KinkUse::no_meeting;
         }
         const std::vector<Kink> used = used_kinks(falls);
         if (used.size() < fewest_kinks) break;

@@ -26,6 +26,10 @@ struct Plate {
     Eigen::Vector2d normal() const;
 };
 
+/// R_p: kinks whose error across the plate is more say nothing of it. Where noise has bent an arc, lines meet anywhere,
+/// also within four of these.
+inline constexpr double most_error_across_plate = 0.025;
+
 /// The vertex that reaches farthest down, of a disk its lowest point; `normal` points into the plate.
 Contact contact_on(const FilmedScene& body, const Plate& plate, const Eigen::Vector3d& place);
 

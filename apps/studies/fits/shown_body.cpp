@@ -23,12 +23,11 @@ struct Evidence {
 
 /// Kinks that meet between arcs that fall, and of which noise tells where they are.
 std::vector<Kink> clear_meetings(const analysis::FilmArcs& arcs, const FilmNoise& noise, const FilmedScene& scene) {
-    constexpr double most_error = 0.025;  // R_p
     const std::vector<bool> free = analysis::falling_arcs(arcs);
     std::vector<Kink> kinks = meeting_kinks(arcs);
     std::erase_if(kinks, [&](const Kink& kink) {
         const double error = errors_of(kink, noise, scene, contact_on(scene, {}, kink.place)).across;
-        return !(free[kink.before] && free[kink.before + 1] && error < most_error);
+        return !(free[kink.before] && free[kink.before + 1] && error < most_error_across_plate);
     });
     return kinks;
 }

@@ -2,6 +2,9 @@
 
 #include "analysis/enum_name.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace swirl::studies {
 
 std::string_view name_of(Accuracy accuracy) {
@@ -13,6 +16,11 @@ std::string_view name_of(Accuracy accuracy) {
                                         {brent, "brent"},
                                         {fixed_step, "fixed-step"}},
                                        accuracy);
+}
+
+void refuse_baseline(Accuracy accuracy, std::string_view what) {
+    throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) + " is not extended to " +
+                                std::string(what) + "; double, extended or quad is wanted");
 }
 
 }  // namespace swirl::studies

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/baselines/baseline_contact.hpp"
+#include "map/model/scene.hpp"
 
 #include <optional>
 #include <string_view>
@@ -35,6 +36,20 @@ inline std::optional<BaselineSearch> baseline_of(Accuracy accuracy) {
             return BaselineSearch::fixed_step;
     }
     return std::nullopt;
+}
+
+/// @throws std::invalid_argument
+///   what  "a floor that drags", …
+[[noreturn]] void refuse_baseline(Accuracy accuracy, std::string_view what);
+
+/// `baseline_of`, to follow an orbit of the scene.
+/// @throws std::invalid_argument for a search to compare with where the scene has a map of its own
+template <class T>
+std::optional<BaselineSearch> baseline_for(const Scene<T>& scene, Accuracy accuracy) {
+    const std::optional<BaselineSearch> search = baseline_of(accuracy);
+    if (search && scene.has_drag()) refuse_baseline(accuracy, "a floor that drags");
+    if (search && scene.is_rounded()) refuse_baseline(accuracy, "rounded corners");
+    return search;
 }
 
 }  // namespace swirl::studies

@@ -171,7 +171,6 @@ void ColumnStore::write_buffer() {
     const std::uint64_t new_rows = buffer_.size() / row_bytes_;
     if (!dataset_.open()) create(false);
     std::vector<hsize_t> extent(layout_.shape.begin(), layout_.shape.end());
-    std::vector<hsize_t> offset(extent.size(), 0);
     if (grows()) {
         extent[0] = written_rows_ + new_rows;
         hdf5::check(hdf5::api().H5Dset_extent(dataset_.id(), extent.data()), action(), layout_.file);
@@ -179,8 +178,9 @@ void ColumnStore::write_buffer() {
     const hdf5::Dataspace target(hdf5::api().H5Dget_space(dataset_.id()));
     std::vector<hsize_t> count(layout_.shape.begin(), layout_.shape.end());
     if (!count.empty()) {
-        offset[0] = written_rows_;
         count[0] = new_rows;
+        std::vector<hsize_t> offset(count.size());
+        offset[0] = written_rows_;
         hdf5::api().H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     }
     const hdf5::Dataspace source = dataspace(count, count);

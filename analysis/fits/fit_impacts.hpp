@@ -36,6 +36,7 @@ enum class ImpactFitOutcome {
     no_offsets,      ///< r = 0 at most of the impacts: an impulse turns nothing, and friction shows nowhere
     no_inertia,      ///< the spin does not change, so that momentum does not tell k
     receding,        ///< at most of the impacts the contact moves away from the wall before, or into it after
+    gains_energy,    ///< at most of the impacts energy surely rises (energy_change), which no impact at rest does
     inertia_absurd,  ///< the given k, or that of momentum, is not within 10^±6 of the offsets' median r²
     not_fitted       ///< noise, scale or loss is no number
 };
@@ -61,13 +62,15 @@ struct LossProfile {
 };
 
 struct ImpactFit {
-    ImpactFitOutcome outcome = ImpactFitOutcome::fitted;  ///< any other: nothing but `length` and `inertia` below
-    std::size_t left_out = 0;  ///< impacts with a number a million times the others' (natural_units.hpp)
-    double length = nan;       ///< a length of the offsets: the power of two next to their median
+    ImpactFitOutcome outcome =
+        ImpactFitOutcome::fitted;  ///< any other: nothing but `length`, `inertia` and `energy` below
+    std::size_t left_out = 0;      ///< impacts with a number a million times the others' (natural_units.hpp)
+    double length = nan;           ///< a length of the offsets: the power of two next to their median
     MomentumSigns signs;
     FittedNumber restitution, friction;
-    FittedNumber inertia;        ///< k that was used; of a given one all three are that
-    FittedNumber balance;        ///< k by momentum alone
+    FittedNumber inertia;  ///< k that was used; of a given one all three are that
+    FittedNumber balance;  ///< k by momentum alone
+    EnergyChange energy;
     bool friction_open = false;  ///< any μ above friction.low does: nothing slides to the end, value and high are NaN
     std::size_t best = 0;        ///< of `laws`
     std::vector<FittedLaw> laws;

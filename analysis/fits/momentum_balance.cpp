@@ -262,6 +262,27 @@ double first_inertia(std::span<const MeasuredImpact> impacts) {
     return quantile(torques, 0.5) / quantile(spins, 0.5);
 }
 
+EnergyChange energy_change(std::span<const MeasuredImpact> impacts, double inertia) {
+    EnergyChange change;
+    std::vector<double> ratios;
+    for (const MeasuredImpact& impact : impacts) {
+        const Eigen::Vector3d weights(1, 1, inertia);
+        const Eigen::Vector3d before = weights.cwiseProduct(impact.before), after = weights.cwiseProduct(impact.after);
+        const double energy_before = before.dot(impact.before) / 2, energy_after = after.dot(impact.after) / 2;
+        if (energy_before > 0) ratios.push_back(energy_after / energy_before);
+        double variance = before.cwiseProduct(impact.error_before).squaredNorm() +
+                          after.cwiseProduct(impact.error_after).squaredNorm();
+        if (impact.covariance) {
+            Eigen::Matrix<double, 8, 1> slopes;
+            slopes << -before, after, 0, 0;
+            variance = slopes.dot(*impact.covariance * slopes);
+        }
+        if (energy_after - energy_before > sure_rise * std::sqrt(variance)) ++change.rises;
+    }
+    if (!ratios.empty()) change.ratio = quantile(std::move(ratios), 0.5);
+    return change;
+}
+
 double velocity_share(std::span<const MeasuredImpact> impacts, std::span<const double> weights, double inertia) {
     constexpr std::size_t parts = 20;
     constexpr double trust = 0.3, least = 0.02;

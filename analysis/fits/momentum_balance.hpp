@@ -5,6 +5,7 @@
 #include "analysis/special_values.hpp"
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,19 @@ InertiaFit known_inertia(std::span<const MeasuredImpact> impacts, std::span<cons
 
 /// A k to start from: the ratio of the median absolute values of both sides.
 double first_inertia(std::span<const MeasuredImpact> impacts);
+
+/// What impacts do to the kinetic energy per mass, (v_x² + v_y² + k S²)/2.
+struct EnergyChange {
+    double ratio = nan;     ///< that after over that before, the median
+    std::size_t rises = 0;  ///< impacts at which it surely does
+};
+
+/// Energy counts as risen by more than so many standard errors.
+inline constexpr double sure_rise = 3;
+
+/// At a wall that is at rest no impact with e ≤ 1 adds energy, whatever the friction: where it rises at most of them,
+/// `before` is what was after, or the film runs backwards. Errors as the impacts state them. O(impacts).
+EnergyChange energy_change(std::span<const MeasuredImpact> impacts, double inertia);
 
 /// Which share of the balance's variance is the velocities' errors, the rest being the spin's. With x = r_x Δv_y,
 /// y = −r_y Δv_x, s = ΔS and σ² the variance of a velocity,

@@ -274,6 +274,8 @@ ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, Laws law
     LawProblem problem{fit.impacts, once, balance.inertia, nullptr, 1};
     fit_laws(fit, problem, laws, settings);
     if (!settings.fixed_weights) fit.scatter = problem.scale;
+    fit.energy = energy_change(fit.impacts, balance.inertia);
+    if (2 * fit.energy.rises > fit.impacts.size()) fit.outcome = ImpactFitOutcome::gains_energy;
     if (!is_known(fit)) fit.outcome = ImpactFitOutcome::not_fitted;
     fit.restitution.value = fit.laws[fit.best].parameters.restitution;
     fit.friction.value = fit.laws[fit.best].parameters.friction;

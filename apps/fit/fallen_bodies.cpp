@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -94,32 +96,46 @@ std::vector<analysis::FilmFrame> frames_of(const BodyTrack& track, double scale)
     return frames;
 }
 
-/// The rows of the one follow one another so in the other; times apart, of which each fall has its own 0.
-bool is_part_of(const std::vector<analysis::FilmFrame>& part, const std::vector<analysis::FilmFrame>& whole) {
-    const auto is_same = [](const analysis::FilmFrame& a, const analysis::FilmFrame& b) {
-        for (Eigen::Index k = 0; k < 3; ++k)
-            if (!(a.place[k] == b.place[k] || (std::isnan(a.place[k]) && std::isnan(b.place[k])))) return false;
-        return true;
-    };
-    return std::search(whole.begin(), whole.end(), part.begin(), part.end(), is_same) != whole.end();
+using Row = std::array<double, 3>;
+
+/// Rows that a fall has, each once, without the lost ones; times apart, of which each fall has its own 0.
+std::vector<Row> distinct_rows(const std::vector<analysis::FilmFrame>& fall) {
+    std::vector<Row> rows;
+    for (const analysis::FilmFrame& frame : fall)
+        if (frame.place.allFinite()) rows.push_back({frame.place[0], frame.place[1], frame.place[2]});
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
 }
 
-/// A fall that is counted twice makes intervals too short. O(files²), of files that differ in their first rows.
+/// A fall that is counted twice makes intervals too short; some rows are alike by chance where digits are few.
+/// O(files × rows).
 void require_no_fall_twice(const std::vector<std::string>& files,
                            const std::vector<std::vector<analysis::FilmFrame>>& falls) {
+    constexpr std::size_t by_chance = 3, tenth = 10;
+    std::vector<std::vector<Row>> rows;
+    for (const auto& fall : falls) rows.push_back(distinct_rows(fall));
     for (std::size_t i = 0; i < falls.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            if (falls[i].size() == falls[j].size() && is_part_of(falls[i], falls[j]))
-                throw BadInput(files[i] == files[j]
-                                   ? fmt::format("falls '{}' is given twice; each fall counts once", files[i])
-                                   : fmt::format("falls '{}' and '{}' have the same rows; each fall counts once",
-                                                 files[j], files[i]));
-            const bool is_shorter = falls[i].size() < falls[j].size();
-            const std::size_t part = is_shorter ? i : j, whole = is_shorter ? j : i;
-            if (is_part_of(falls[part], falls[whole]))
-                throw BadInput(fmt::format("the rows of falls '{}' are among those of '{}'; each fall counts once",
-                                           files[part], files[whole]));
+            if (files[i] == files[j])
+                throw BadInput(fmt::format("falls '{}' is given twice; each fall counts once", files[i]));
+            std::vector<Row> common;
+            std::set_intersection(rows[i].begin(), rows[i].end(), rows[j].begin(), rows[j].end(),
+                                  std::back_inserter(common));
+            const std::size_t fewer = std::min(rows[i].size(), rows[j].size());
+            if (common.size() > std::max(by_chance, fewer / tenth))
+                throw BadInput(fmt::format("falls '{}' and '{}' have {} rows in common; each fall counts once",
+                                           files[j], files[i], common.size()));
         }
+}
+
+void require_alike(const std::vector<std::string>& files, const FallenBodies& read) {
+    const auto other = studies::other_fall(read.falls, read.period, read.body, read.setting);
+    if (!other) return;
+    throw BadInput(fmt::format(
+        "falls '{}' fall by {:.3g} along -y per time squared, those of the other files in the median by {:.3g}: its "
+        "lengths, clock or axes are not theirs",
+        files[other->number], other->gravity, other->usual));
 }
 
 }  // namespace
@@ -168,6 +184,7 @@ FallenBodies read_falls(FilmOptions& film, const FallsOptions& options) {
             fmt::format("falls are {:g} to {:g} of time from frame to frame; those of one fit are to be less "
                         "than {} times apart",
                         shortest, longest, alike));
+    require_alike(options.files, read);
     return read;
 }
 

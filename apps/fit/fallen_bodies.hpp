@@ -34,8 +34,9 @@ struct FallenBodies {
 
 /// Reads each file as read_film() does its one; the flags of columns, shape, angle and vertex are those of a film.
 /// @throws BadInput for what read_track() refuses, flags of a dish, a shape that is missing or out of range, a fall
-/// with less than `analysis::fewest_frames` frames, a fall of which all rows follow one another in another file (it
-/// would count twice), falls of which one has frames four times as close as another's
+/// with less than `analysis::fewest_frames` frames, a fall that has more than 3 rows and a tenth of its rows in
+/// common with another one (it would count twice), falls of which one has frames four times as close as another's, or
+/// one falls otherwise than the others (studies::other_fall)
 FallenBodies read_falls(FilmOptions& film, const FallsOptions& falls);
 
 }  // namespace swirl::apps::fit

@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 namespace swirl::apps::fit {
 
@@ -45,6 +47,7 @@ Settings falls_settings(const FallsReport& report) {
             {"unmodelled_spin_acceleration", falls.arcs.wandering[2]},
             {"gravity", std::vector<double>{gravity[0], gravity[1]}},
             {"gravity_error", std::vector<double>{error[0], error[1]}},
+            {"gravity_of_arcs", radius * falls.gravity_of_arcs},
             {"drag", falls.fall.drag.value},
             {"drag_error", falls.fall.drag.error},
             {"spin_drag", falls.fall.spin.value},
@@ -53,9 +56,11 @@ Settings falls_settings(const FallsReport& report) {
             {"arcs_spin_drag", falls.fall.model.drags.angle},
             {"division", falls.division},
             {"impact_time", falls.arcs.impact_time},
-            {"plate_height", radius * falls.plate.height},
+            {"plate_height", radius * falls.plate_height()},
             {"plate_tilt", falls.plate.tilt},
             {"vertex", falls.plate.mark},
+            {"vertex_of_impacts", falls.unmarked ? falls.unmarked->mark : falls.plate.mark},
+            {"angle_turned", falls.angle_turned},
             {"off_plate", radius * falls.plate.off_plate},
             {"polygon_radius", radius},
             {"radius_on_plate", radius * size.value},
@@ -112,7 +117,9 @@ Table<FallFrame> fall_frame_table() {
 
 struct FallKink {
     std::size_t fall;
-    double start, radius;
+    double start;
+    Eigen::Vector3d place;
+    double radius;
     FilmImpact found;
 };
 
@@ -122,9 +129,9 @@ Table<FallKink> fall_kink_table() {
             {F{"fall", [](const FallKink& k) { return static_cast<std::int64_t>(k.fall); }, "1", "number of its file"},
              F{"time", [](const FallKink& k) { return k.found.kink.time - k.start; }, "1", "where the arcs meet"},
              F{"time_error", [](const FallKink& k) { return k.found.kink.error; }, "1", "its standard error"},
-             F{"x", [](const FallKink& k) { return k.radius * k.found.kink.place[0]; }, "1", "of the centre there"},
-             F{"y", [](const FallKink& k) { return k.radius * k.found.kink.place[1]; }, "1", "of the centre there"},
-             F{"angle", [](const FallKink& k) { return k.found.kink.place[2]; }, "rad", "there"},
+             F{"x", [](const FallKink& k) { return k.place[0]; }, "1", "of the centre there"},
+             F{"y", [](const FallKink& k) { return k.place[1]; }, "1", "of the centre there"},
+             F{"angle", [](const FallKink& k) { return k.place[2]; }, "rad", "there"},
              F{"use", [](const FallKink& k) { return std::string(studies::names_of(k.found.use).name); }, "",
                "used, or why it was left out; the wall is the plate"},
              F{"gap", [](const FallKink& k) { return k.radius * k.found.contact.gap; }, "1",
@@ -157,6 +164,19 @@ Table<FallArc> fall_arc_table() {
          F{"vy", of(&FallArc::velocity, 1), "1", ""}, F{"S", of(&FallArc::velocity, 2), "1", "spin then"}}};
 }
 
+/// In the table's lengths and axes.
+Eigen::Vector3d place_of(const FallsReport& report, Eigen::Vector3d place) {
+    place.head<2>() = report.source.body.radius * (place.head<2>() + report.falls.origin);
+    return place;
+}
+
+/// In the order of the files; those of one file are in the order of time already.
+template <class Row>
+std::vector<Row> by_file(std::vector<Row> rows) {
+    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.fall < b.fall; });
+    return rows;
+}
+
 std::vector<FallArc> arcs_of(const FallsReport& report) {
     const studies::FallsFit& falls = report.falls;
     const double radius = report.source.body.radius;
@@ -166,19 +186,20 @@ std::vector<FallArc> arcs_of(const FallsReport& report) {
         const std::size_t fall = falls.fall_at(arc.mean_time);
         const double start = falls.starts[fall];
         arcs.push_back({fall, arc.start - start, arc.end - start, arc.mean_time - start,
-                        units.cwiseProduct(falls.arcs.place_on(arc, arc.mean_time)),
+                        place_of(report, falls.arcs.place_on(arc, arc.mean_time)),
                         units.cwiseProduct(falls.arcs.velocity_on(arc, arc.mean_time))});
     }
-    return arcs;
+    return by_file(std::move(arcs));
 }
 
 std::vector<FallKink> kinks_of(const FallsReport& report) {
     std::vector<FallKink> kinks;
     for (const FilmImpact& found : report.falls.impacts) {
         const std::size_t fall = report.falls.fall_at(found.kink.time);
-        kinks.push_back({fall, report.falls.starts[fall], report.source.body.radius, found});
+        kinks.push_back(
+            {fall, report.falls.starts[fall], place_of(report, found.kink.place), report.source.body.radius, found});
     }
-    return kinks;
+    return by_file(std::move(kinks));
 }
 
 std::vector<FallFrame> frames_of(const FallsReport& report) {
@@ -232,7 +253,7 @@ void print_falls(const FallsReport& report) {
     fmt::print("  drag            {} of the velocity per unit of time; of the spin {}\n",
                drag_in_words(falls.fall.drag), drag_in_words(falls.fall.spin));
     fmt::print("  plate           at y = {:.4g} + {:.3g} x; vertices are {:.2g} off it at impacts\n",
-               radius * falls.plate.height / std::cos(falls.plate.tilt), std::tan(falls.plate.tilt),
+               radius * falls.plate_height() / std::cos(falls.plate.tilt), std::tan(falls.plate.tilt),
                radius * falls.plate.off_plate);
     if (falls.body) {
         const analysis::FittedNumber size = size_on_plate(falls);

@@ -58,7 +58,8 @@ plate's height and tilt and the vertex' mark are fitted to them, and I/m is what
 a uniform body, unless --inertia-factor gives it. Where arcs bend by more than noise they are divided more
 coarsely, and velocities are those of their ends. Resamples draw falls. Parts of the falls are fitted apart.
 Double impacts and contact that lasts are left out. Clear impacts also tell the body's size and sides: where they are
-surely others than the given ones, a note says so, or the falls are refused. Files with the same rows are refused.
+surely others than the given ones, a note says so, or the falls are refused; so it is with --gravity, --vertex, the
+angle's sense and the direction of time. Files with the same rows, or that fall otherwise than the others, are refused.
 
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes
@@ -120,6 +121,9 @@ void require_fitted(const analysis::ImpactFit& fit, const FitOptions& options) {
             refuse(
                 "most contacts move away from the wall before the impact; y is to point from the wall to the body, "
                 "vy_before + rx spin_before < 0");
+            break;
+        case Outcome::gains_energy:
+            refuse(risen_energy(fit));
             break;
         case Outcome::inertia_absurd: {
             const double square = fit.length * fit.length;

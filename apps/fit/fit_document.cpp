@@ -103,7 +103,9 @@ Settings result_of(const FitReport& report) {
             {"predicted", fit.predicted},
             {"velocity_noise", fit.velocity_noise},
             {"spin_noise", fit.spin_noise},
-            {"scatter", fit.scatter}};
+            {"scatter", fit.scatter},
+            {"energy_ratio", fit.energy.ratio},
+            {"energy_rises", static_cast<std::int64_t>(fit.energy.rises)}};
 }
 
 /// What momentum alone says.

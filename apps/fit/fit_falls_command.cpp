@@ -43,7 +43,20 @@ std::string shape_in_words(const studies::BodyOnPlate& shape, double radius) {
                        side_of(shape, radius), shape.scatter * radius);
 }
 
-void require_fitted(const studies::FallsFit& falls, double radius) {
+std::string vertex_in_words(const studies::FallsFit& falls, const studies::FallenBody& body) {
+    return fmt::format("vertices are {:.3g} +- {:.1g} rad from --vertex {:.5g}; impacts show one at {:.5g}",
+                       studies::mark_off(falls, body), std::sqrt(falls.unmarked->errors(1, 1)), *body.mark,
+                       falls.unmarked->mark);
+}
+
+std::string another_gravity_in_words(const studies::FallsFit& falls, double given, double radius) {
+    return fmt::format("free arcs tell a gravity of {:.4g} +- {:.1g} along -y, --gravity says {:.4g}",
+                       radius * falls.gravity_of_arcs, radius * falls.gravity_of_arcs_error, given);
+}
+
+void require_fitted(const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    const double radius = report.source.body.radius;
     const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
     const auto refuse = [&](const std::string& why) {
         throw BadInput(fmt::format("falls: {} frames on {} arcs: {}", falls.arcs.frames, falls.arcs.arcs.size(), why));
@@ -67,6 +80,12 @@ void require_fitted(const studies::FallsFit& falls, double radius) {
                                falls.body ? fmt::format(" (off it by {:.2g})", falls.body->scatter * radius) : "",
                                shape_in_words(*falls.shape, radius)));
             break;
+        case FallsFitOutcome::another_gravity:
+            throw BadInput(fmt::format("falls: {}; --gravity, --scale, --fps or --y-down is not the films'",
+                                       another_gravity_in_words(falls, *report.source.setting.gravity, radius)));
+        case FallsFitOutcome::another_mark:
+            refuse(vertex_in_words(falls, report.source.body) + "; leave --vertex out, and the impacts tell it");
+            break;
         case FallsFitOutcome::few_kinks:
             refuse(
                 fmt::format("too few of {} frames or more meet; {} or more impacts are needed, with {} frames between "
@@ -87,6 +106,7 @@ void require_fitted(const studies::FallsFit& falls, double radius) {
                 count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall)));
             break;
         case FallsFitOutcome::no_law:
+            if (falls.fit.outcome == analysis::ImpactFitOutcome::gains_energy) refuse(risen_energy(falls.fit));
             refuse(fmt::format("no law could be fitted to {} impacts", count(KinkUse::used)));
             break;
     }
@@ -112,6 +132,21 @@ void note_size(std::vector<std::string>& notes, const FallsReport& report) {
                                     : "corners may be round, or --side or --scale is not the films'"));
 }
 
+void note_given(std::vector<std::string>& notes, const FallsReport& report) {
+    const studies::FallsFit& falls = report.falls;
+    const studies::FallenBody& body = report.source.body;
+    if (studies::has_another_gravity(falls, report.source.setting, body.radius, studies::least_gravity_error))
+        notes.push_back(fmt::format("{}: e and mu are those with the latter",
+                                    another_gravity_in_words(falls, *report.source.setting.gravity, body.radius)));
+    if (studies::has_another_mark(falls, body, studies::least_mark_error))
+        notes.push_back(fmt::format("{}: e and mu are those with the given one", vertex_in_words(falls, body)));
+    if (falls.angle_turned)
+        notes.push_back(
+            "the angle is taken in the other sense: as it was given momentum contradicts it (it was measured "
+            "clockwise, "
+            "or the places are mirrored, as of a camera behind the plate)");
+}
+
 void note_left_out(std::vector<std::string>& notes, const studies::FallsFit& falls) {
     const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
     const std::size_t twice = count(KinkUse::no_meeting) + count(KinkUse::two_vertices);
@@ -131,7 +166,7 @@ FitReport fit_of_falls(FilmOptions& film, const FallsOptions& options, const ana
     exit_when_interrupted();
     const studies::FallenBody& body = falls.source.body;
     falls.falls = studies::fit_falls(falls.source.falls, falls.source.period, body, falls.source.setting, settings);
-    require_fitted(falls.falls, body.radius);
+    require_fitted(falls);
     FitReport report;
     report.fit = falls.falls.fit;
     report.inertia_given = body.inertia_known;
@@ -144,6 +179,7 @@ FitReport fit_of_falls(FilmOptions& film, const FallsOptions& options, const ana
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     note_size(report.notes, falls);
     note_inertia(report.notes, falls);
+    note_given(report.notes, falls);
     note_left_out(report.notes, falls.falls);
     report.settings = {{"columns", film.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},

@@ -134,6 +134,8 @@ void require_fitted(const studies::FilmFit& film, double alpha, const std::strin
                 count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall),
                 sustained_contact(film)));
         case FilmFitOutcome::no_law:
+            if (film.fit.outcome == analysis::ImpactFitOutcome::gains_energy)
+                throw BadInput(fmt::format("series '{}': {}", file, risen_energy(film.fit)));
             throw BadInput(
                 fmt::format("series '{}': to {} impacts no law could be fitted: the best predicts {:.0f} % of them, "
                             "and they scatter "

@@ -51,6 +51,14 @@ void note_constancy(std::vector<std::string>& notes, const analysis::ImpactFit& 
 
 }  // namespace
 
+std::string risen_energy(const analysis::ImpactFit& fit) {
+    return fmt::format(
+        "energy surely rises at {} of {} impacts, in the median {:.3g} times, and no wall adds any to a body that "
+        "moves "
+        "past it: what is called before was after, or time runs backwards",
+        fit.energy.rises, fit.impacts.size(), fit.energy.ratio);
+}
+
 bool contradicts_momentum(const analysis::ImpactFit& fit, bool stated) {
     const double k = fit.inertia.value;
     if (k >= fit.balance.low && k <= fit.balance.high) return false;

@@ -5,14 +5,13 @@
 #include "apps/studies/fits/impact_errors.hpp"
 #include "apps/studies/fits/impact_laws.hpp"
 #include "apps/studies/fits/noisier_films.hpp"
-#include "apps/studies/fits/shown_body.hpp"
 #include "map/model/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace swirl::studies {
@@ -21,195 +20,6 @@ namespace {
 
 using analysis::FilmFrame;
 using analysis::Kink;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using FallFrames = std::vector<FilmFrame>;
-
-/// The falls as one film, and when each begins there.
-struct OneFilm {
-    FallFrames frames;
-    std::vector<double> starts;
-};
-
-/// Lengths in R_p; between falls are so many steps, which no arc bridges.
-OneFilm in_a_row(const std::vector<FallFrames>& falls, double radius) {
-    constexpr double steps_between = 20;
-    std::vector<double> steps;
-    for (const FallFrames& fall : falls)
-        for (std::size_t i = 1; i < fall.size(); ++i) steps.push_back(fall[i].time - fall[i - 1].time);
-    if (steps.empty()) throw std::invalid_argument("fit_falls: no fall has two frames");
-    const double between = steps_between * analysis::quantile(std::move(steps), 0.5);
-    OneFilm film;
-    double start = 0;
-    for (const FallFrames& fall : falls) {
-        film.starts.push_back(start);
-        for (FilmFrame frame : fall) {
-            frame.time += start - fall.front().time;
-            frame.place.head<2>() /= radius;
-            film.frames.push_back(frame);
-        }
-        if (!fall.empty()) start = film.frames.back().time + between;
-    }
-    return film;
-}
-
-FilmedScene scene_of(const FallenBody& body) {
-    return {body.sides, 1, 0, body.inertia / (body.radius * body.radius), body.mark};
-}
-
-ContactAt on_plate(const FilmedScene& scene, const Plate& plate) {
-    return [&scene, &plate](double, const Vector3d& place) { return contact_on(scene, plate, place); };
-}
-
-std::vector<Kink> used_kinks(const FallsFit& falls) {
-    std::vector<Kink> used;
-    for (const FilmImpact& found : falls.impacts)
-        if (found.use == KinkUse::used) used.push_back(found.kink);
-    return used;
-}
-
-FilmNoise noise_of(const analysis::FilmArcs& arcs) {
-    return {arcs.place_noise, arcs.angle_noise};
-}
-
-/// The plate by the kinks that are an impact: in turn, since the plate tells which are.
-void find_plate(FallsFit& falls, const FilmedScene& scene) {
-    const FilmNoise noise = noise_of(falls.arcs);
-    falls.outcome = FallsFitOutcome::fitted, falls.counts = {};
-    const std::vector<bool> free = analysis::falling_arcs(falls.arcs);
-    const auto is_free = [&free](const Kink& kink) { return free[kink.before] && free[kink.before + 1]; };
-    if (std::isnan(falls.plate.off_plate)) {
-        std::vector<Kink> meeting = meeting_kinks(falls.arcs);
-        std::erase_if(meeting, [&](const Kink& kink) { return !is_free(kink); });
-        const std::optional<Plate> plate = fit_plate(meeting, noise, scene, falls.plate.by_momentum);
-        if (!plate) {
-            falls.outcome = FallsFitOutcome::few_kinks;
-            return;
-        }
-        falls.plate = *plate;
-    }
-    const std::vector<Kink> kinks = analysis::kinks_of(falls.arcs);
-    constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round) {
-        falls.impacts = film_impacts(falls.arcs, kinks, scene, on_plate(scene, falls.plate));
-        for (FilmImpact& found : falls.impacts) {
-            if (found.use != KinkUse::used) continue;
-            if (!is_free(found.kink)) found.use = KinkUse::stays_on_wall;
-            if (errors_of(found.kink, noise, scene, found.contact).across > most_error_across_plate)
-                found.use = KinkUse::no_meeting;
-        }
-        const std::vector<Kink> used = used_kinks(falls);
-        if (used.size() < fewest_kinks) break;
-        if (round + 1 < rounds) falls.plate = refined_plate(used, {}, noise, scene, falls.plate);
-    }
-    for (const FilmImpact& found : falls.impacts) ++falls.counts[static_cast<std::size_t>(found.use)];
-    const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
-    if (count(KinkUse::used) < analysis::fewest_impacts)
-        falls.outcome = 2 * count(KinkUse::off_the_wall) > falls.impacts.size() ? FallsFitOutcome::no_plate
-                                                                                : FallsFitOutcome::few_impacts;
-}
-
-/// Arcs of which the middle is clear of the plate: bodies that rest or roll are on it.
-std::vector<bool> clear_arcs(const FallsFit& falls, const FilmedScene& scene) {
-    constexpr double clear = 0.05;  // R_p
-    std::vector<bool> flies = analysis::falling_arcs(falls.arcs);
-    for (std::size_t k = 0; k < flies.size(); ++k) {
-        const analysis::FreeArc& arc = falls.arcs.arcs[k];
-        const Contact contact = contact_on(scene, falls.plate, falls.arcs.place_on(arc, arc.mean_time));
-        flies[k] = flies[k] && contact.gap < -std::max(clear, 3 * falls.plate.doubt);
-    }
-    return flies;
-}
-
-/// How long impacts last: median of what their arcs' distance tells, over kinks that are near the plate; at most a
-/// frame.
-double impact_time(const FallsFit& falls, const FilmedScene& scene, const std::vector<bool>& flies) {
-    constexpr double near = 0.1;  // R_p
-    std::vector<double> squares, steps;
-    for (const Kink& kink : analysis::kinks_of(falls.arcs)) {
-        const Contact contact = contact_on(scene, falls.plate, kink.place);
-        if (std::abs(contact.gap) > near || !flies[kink.before] || !flies[kink.before + 1]) continue;
-        if (!(contact.next_gap < -near)) continue;  // two vertices do not meet at one time
-        squares.push_back(kink.apart_for);
-        const analysis::FreeArc& arc = falls.arcs.arcs[kink.before];
-        steps.push_back((arc.end - arc.start) / static_cast<double>(arc.count - 1));
-    }
-    if (squares.size() < fewest_kinks) return 0;
-    const double square = analysis::quantile(std::move(squares), 0.5);
-    return square > 0 ? std::min(std::sqrt(square), analysis::quantile(std::move(steps), 0.5)) : 0;
-}
-
-/// The plate by pieces of arcs, and noise and gravity and drags by those that fly.
-FallsFit by_pieces(const FallsFit& divided, std::size_t longest, const FilmedScene& scene, bool is_given) {
-    FallsFit falls = divided;
-    falls.longest = longest;
-    falls.arcs = analysis::end_pieces(divided.arcs, longest);
-    constexpr int rounds = 2;
-    for (int round = 0; round < rounds; ++round) {
-        find_plate(falls, scene);
-        if (std::isnan(falls.plate.off_plate)) return falls;
-        const std::vector<bool> flies = clear_arcs(falls, scene);
-        falls.arcs = analysis::with_noise_of(falls.arcs, flies);
-        const auto fall = analysis::fit_fall(falls.arcs, is_given, flies);
-        if (!fall) return falls;
-        falls.fall = *fall;
-        falls.arcs = analysis::with_fall(falls.arcs, fall->model.gravity, fall->model.drags);
-        falls.arcs = analysis::with_noise_of(falls.arcs, flies);
-        falls.arcs.wandering = analysis::unmodelled_accelerations(falls.arcs, flies);
-        falls.arcs.impact_time = 0;
-        falls.arcs.impact_time = impact_time(falls, scene, flies);
-    }
-    find_plate(falls, scene);
-    return falls;
-}
-
-/// Arcs of bodies that fall bend by more than a tracker's noise from frame to frame, for reasons that no model has: a
-/// centre that is not quite the tracked one wobbles with the spin, lenses bend, a guide rubs. The division is that of a
-/// noise so many times as large, and the pieces of arcs are so long, that the most impacts can be used, of those whose
-/// frames are within twice the tracker's own noise; the finer division and the longer pieces where the others do not
-/// give a tenth more.
-FallsFit best_divided(const OneFilm& film, double period, const FallenBody& body, analysis::FallSettings settings,
-                      bool looks_for_body) {
-    const FilmedScene scene = scene_of(body);
-    FallsFit best;
-    best.starts = film.starts, best.outcome = FallsFitOutcome::no_gravity;
-    constexpr double factors[] = {1, 3, 10, 30};
-    constexpr std::size_t lengths[] = {100'000, 20, 10};  // frames
-    constexpr double better = 1.1, wide = 2;
-    double most = -1, most_worth = -1;
-    std::optional<BodyOnPlate> shown;
-    analysis::FilmArcs shown_by;
-    analysis::FilmArcs finest;
-    for (const double factor : factors) {
-        if (factor > 1)
-            settings.division_noise << factor * finest.place_noise, factor * finest.place_noise,
-                factor * finest.angle_noise;
-        const std::optional<analysis::FallingArcs> found = analysis::settled_fall(film.frames, period, settings);
-        if (!found || found->fall.model.gravity[1] >= 0) {
-            if (factor > 1) continue;
-            if (found) best.fall = found->fall, best.arcs = found->arcs, best.outcome = FallsFitOutcome::falls_up;
-            return best;
-        }
-        FallsFit divided;
-        divided.starts = film.starts, divided.division = factor, divided.plate.by_momentum = body.inertia_known;
-        divided.fall = found->fall, divided.arcs = found->arcs;
-        if (factor == 1) settings.start = found->fall.model, finest = found->arcs;
-        divided.tracker_noise = finest.noise;
-        for (const std::size_t longest : lengths) {
-            const FallsFit other = by_pieces(divided, longest, scene, settings.gravity.has_value());
-            const auto used = static_cast<double>(other.counts[static_cast<std::size_t>(KinkUse::used)]);
-            if (looks_for_body) {
-                const auto seen = shown_body(other.arcs, scene);
-                if (worth_of(seen) > most_worth || shown_by.arcs.empty())
-                    shown = seen, shown_by = other.arcs, most_worth = worth_of(seen);
-            }
-            const bool is_bent = other.arcs.place_noise > wide * finest.place_noise;
-            if (most < 0 || (!is_bent && used > better * most)) best = other, most = used;
-        }
-    }
-    if (looks_for_body) best.body = shown, best.shape = nearer_shape(shown_by, scene);
-    return best;
-}
 
 /// Impacts in the caller's lengths.
 std::vector<analysis::MeasuredImpact> impacts_on(const analysis::FilmArcs& arcs, std::span<const Kink> kinks,
@@ -250,7 +60,7 @@ std::size_t shown_falls(const std::vector<std::size_t>& fall_of) {
 }
 
 /// The impacts as each step of the fall's errors makes them.
-std::vector<std::vector<analysis::MeasuredImpact>> with_other_falls(const FallsFit& falls,
+std::vector<std::vector<analysis::MeasuredImpact>> with_other_falls(const DividedFalls& falls,
                                                                     const std::vector<Kink>& used,
                                                                     const FilmedScene& scene, double radius) {
     std::vector<std::vector<analysis::MeasuredImpact>> moved;
@@ -262,7 +72,7 @@ std::vector<std::vector<analysis::MeasuredImpact>> with_other_falls(const FallsF
 }
 
 /// With their errors, those of the fall included.
-std::vector<analysis::MeasuredImpact> measured_impacts(const FallsFit& falls, const std::vector<Kink>& used,
+std::vector<analysis::MeasuredImpact> measured_impacts(const DividedFalls& falls, const std::vector<Kink>& used,
                                                        const FilmedScene& scene, double radius,
                                                        std::span<const std::vector<analysis::MeasuredImpact>> fallen) {
     auto impacts = impacts_at(falls.arcs, used, scene, on_plate(scene, falls.plate));
@@ -282,7 +92,8 @@ void take_errors(analysis::MeasuredImpact& impact, const analysis::MeasuredImpac
 /// What a law is fitted to.
 struct Impacts {
     std::vector<Kink> kinks;
-    std::vector<std::size_t> fall_of;
+    std::vector<std::size_t>
+        fall_of;  ///< its index in the row, so that draws are the same in whatever order falls are given
 };
 
 struct LawOfFalls {
@@ -291,7 +102,7 @@ struct LawOfFalls {
     bool by_falls = false;
 };
 
-LawOfFalls fit_law(const FallsFit& falls, const Impacts& used, const FilmedScene& scene, const FallenBody& body,
+LawOfFalls fit_law(const DividedFalls& falls, const Impacts& used, const FilmedScene& scene, const FallenBody& body,
                    analysis::ImpactFitSettings settings) {
     settings.inertia.reset();
     if (body.inertia_known) settings.inertia = body.inertia;
@@ -321,45 +132,81 @@ LawOfFalls fit_law(const FallsFit& falls, const Impacts& used, const FilmedScene
     return law;
 }
 
-Impacts used_impacts(const FallsFit& falls) {
+Impacts used_impacts(const DividedFalls& falls) {
     Impacts used;
     used.kinks = used_kinks(falls);
-    for (const Kink& kink : used.kinks) used.fall_of.push_back(falls.fall_at(kink.time));
+    for (const Kink& kink : used.kinks) used.fall_of.push_back(falls.index_at(kink.time));
     return used;
 }
 
-FallsFit fit_once(const OneFilm& film, double period, const FallenBody& body, const FallsSetting& setting,
-                  const analysis::ImpactFitSettings& settings, bool looks_for_body) {
+/// A film of which the angle is measured in the other sense.
+FallsInARow turned_film(FallsInARow film) {
+    for (FilmFrame& frame : film.frames) frame.place[2] *= -1;
+    return film;
+}
+
+/// Momentum says that the angle is measured clockwise: the other products of the balance, of r_x and the spin, both
+/// turn with it. (Where vertices are tells nothing: a body is as high in one sense as in the other.)
+bool contradicts_angle(const DividedFalls& falls, const FallenBody& body) {
+    const std::vector<Kink> used = used_kinks(falls);
+    if (falls.outcome != FallsFitOutcome::fitted) return false;
     const FilmedScene scene = scene_of(body);
-    analysis::FallSettings known;
-    known.least_noise = setting.least_noise;
-    known.least_noise.head<2>() /= body.radius;
-    if (setting.gravity) known.gravity = Vector2d(0, -*setting.gravity / body.radius);
-    FallsFit falls = best_divided(film, period, body, known, looks_for_body);
-    double least = least_fallen_size_error;
-    if (falls.outcome == FallsFitOutcome::fitted && falls.body)
-        least = falls.body->is_sharp() ? most_fallen_size_error : most_round_size_error;
-    if (falls.shape)
-        falls.outcome = FallsFitOutcome::another_shape;
-    else if (has_another_size(falls, least))
-        falls.outcome = FallsFitOutcome::another_size;
-    if (falls.outcome != FallsFitOutcome::fitted) return falls;
-    LawOfFalls law = fit_law(falls, used_impacts(falls), scene, body, settings);
+    return analysis::momentum_signs(impacts_on(falls.arcs, used, scene, falls.plate, body.radius)).tangent < 0;
+}
+
+struct SensedFilm {
+    FallsInARow film;
+    FallsDivisions divisions;
+    bool angle_turned = false;
+};
+
+SensedFilm in_its_sense(const FallsInARow& film, double period, const FallenBody& body, const FallsSetting& setting) {
+    SensedFilm given{film, divided_falls(film, period, body, setting, true), false};
+    if (!contradicts_angle(given.divisions.best, body)) return given;
+    SensedFilm other{turned_film(film), {}, true};
+    other.divisions = divided_falls(other.film, period, body, setting, true);
+    const DividedFalls& best = other.divisions.best;
+    return best.outcome == FallsFitOutcome::fitted && !contradicts_angle(best, body) ? other : given;
+}
+
+void look_for_another_gravity(FallsFit& falls, const FallsInARow& film, double period, const FallenBody& body,
+                              FallsSetting setting) {
+    setting.gravity.reset();
+    const auto found = analysis::settled_fall(film.frames, period, fall_settings(setting, body.radius));
+    if (!found) return;
+    falls.gravity_of_arcs = -found->fall.model.gravity[1];
+    falls.gravity_of_arcs_error = found->fall.error[1];
+}
+
+/// The body that the impacts show is the given one.
+FallsFitOutcome body_outcome(const FallsFit& falls, const FallenBody& body) {
+    const bool is_fitted = falls.outcome == FallsFitOutcome::fitted;
+    const bool is_round = falls.body && !falls.body->is_sharp();
+    const double most_mark = is_round ? most_round_mark_error : most_mark_error;
+    if (has_another_mark(falls, body, is_fitted ? most_mark : least_mark_error)) return FallsFitOutcome::another_mark;
+    if (falls.shape) return FallsFitOutcome::another_shape;
+    const double most_size = is_round ? most_round_size_error : most_fallen_size_error;
+    return has_another_size(falls, is_fitted ? most_size : least_fallen_size_error) ? FallsFitOutcome::another_size
+                                                                                    : falls.outcome;
+}
+
+void fit_divided(FallsFit& falls, const FallenBody& body, const analysis::ImpactFitSettings& settings) {
+    LawOfFalls law = fit_law(falls, used_impacts(falls), scene_of(body), body, settings);
     falls.fit = std::move(law.fit);
     falls.thinned = law.groups.thinned, falls.alike = law.groups.alike, falls.by_falls = law.by_falls;
     if (falls.fit.outcome != analysis::ImpactFitOutcome::fitted) falls.outcome = FallsFitOutcome::no_law;
-    return falls;
 }
 
 /// The impacts of which a test of the fall and of the impact's number in it is true.
 template <class Test>
-SubsetFit subset(const std::string& name, const FallsFit& falls, const FallenBody& body,
+SubsetFit subset(const std::string& name, const DividedFalls& falls, const FallenBody& body,
                  const analysis::ImpactFitSettings& settings, Test test) {
     const Impacts all = used_impacts(falls);
     Impacts some;
     for (std::size_t i = 0; i < all.kinks.size(); ++i) {
         const bool is_first = i == 0 || all.fall_of[i] != all.fall_of[i - 1];
-        if (test(all.fall_of[i], is_first)) some.kinks.push_back(all.kinks[i]), some.fall_of.push_back(all.fall_of[i]);
+        if (test(falls.order[all.fall_of[i]], is_first))
+            some.kinks.push_back(all.kinks[i]), some.fall_of.push_back(all.fall_of[i]);
     }
     SubsetFit found;
     found.name = name, found.falls = shown_falls(some.fall_of), found.impacts = some.kinks.size();
@@ -371,6 +218,44 @@ SubsetFit subset(const std::string& name, const FallsFit& falls, const FallenBod
     return found;
 }
 
+std::vector<SubsetFit> subsets_of(const FallsFit& falls, const std::vector<DividedFalls>& others,
+                                  const FallenBody& body, const analysis::ImpactFitSettings& settings) {
+    std::vector<SubsetFit> subsets;
+    const std::size_t count = falls.order.size(), half = count / 2;
+    const auto add = [&](const std::string& name, auto test) {
+        subsets.push_back(subset(name, falls, body, settings, test));
+    };
+    if (count > 1) {
+        add("odd falls", [](std::size_t fall, bool) { return fall % 2 == 0; });
+        add("even falls", [](std::size_t fall, bool) { return fall % 2 == 1; });
+        add("first half", [half](std::size_t fall, bool) { return fall < half; });
+        add("second half", [half](std::size_t fall, bool) { return fall >= half; });
+        add("first impacts", [](std::size_t, bool is_first) { return is_first; });
+        add("later impacts", [](std::size_t, bool is_first) { return !is_first; });
+    }
+    for (const DividedFalls& other : others)
+        subsets.push_back(subset("division " + std::to_string(static_cast<int>(other.division)), other, body, settings,
+                                 [](std::size_t, bool) { return true; }));
+    return subsets;
+}
+
+void add_noisier(FallsFit& falls, const FallsInARow& film, double period, const FallenBody& body,
+                 const FallsSetting& setting, analysis::ImpactFitSettings settings) {
+    settings.resamples = 0;
+    std::vector<analysis::ImpactFit> noisier;
+    for (std::size_t draw = 0; draw < noisier_films; ++draw) {
+        FallsInARow other = film;
+        other.frames = with_more_noise(film.frames, falls.tracker_noise, settings.seed, draw);
+        FallsFit fit;
+        static_cast<DividedFalls&>(fit) = divided_falls(other, period, body, setting, false).best;
+        if (fit.outcome == FallsFitOutcome::fitted) fit_divided(fit, body, settings);
+        if (fit.outcome == FallsFitOutcome::fitted) noisier.push_back(fit.fit);
+    }
+    const NoiseShift shift = add_noise_shift(falls.fit, noisier);
+    falls.noisier = noisier.size();
+    falls.restitution_shift = shift.restitution, falls.friction_shift = shift.friction;
+}
+
 }  // namespace
 
 bool has_another_size(const FallsFit& falls, double least) {
@@ -380,44 +265,45 @@ bool has_another_size(const FallsFit& falls, double least) {
     return off > surely * falls.body->error && off > least;
 }
 
-std::size_t FallsFit::fall_at(double time) const {
-    const auto after = std::upper_bound(starts.begin(), starts.end(), time);
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - starts.begin())) - 1;
+bool has_another_gravity(const FallsFit& falls, const FallsSetting& setting, double radius, double least) {
+    constexpr double surely = 5;  // standard errors
+    if (!setting.gravity || std::isnan(falls.gravity_of_arcs)) return false;
+    const double given = *setting.gravity / radius, off = std::abs(falls.gravity_of_arcs - given);
+    return off > surely * falls.gravity_of_arcs_error && off > least * given;
+}
+
+double mark_off(const FallsFit& falls, const FallenBody& body) {
+    return std::remainder(falls.unmarked->mark - *body.mark, 2 * pi<double>() / body.sides);
+}
+
+bool has_another_mark(const FallsFit& falls, const FallenBody& body, double least) {
+    constexpr double surely = 5;  // standard errors
+    if (!body.mark || !falls.unmarked) return false;
+    const double off = std::abs(mark_off(falls, body));
+    return off > surely * std::sqrt(falls.unmarked->errors(1, 1)) && off > least;
 }
 
 FallsFit fit_falls(const std::vector<FallFrames>& all, double period, const FallenBody& body,
                    const FallsSetting& setting, const analysis::ImpactFitSettings& settings) {
-    OneFilm film = in_a_row(all, body.radius);
-    FallsFit falls = fit_once(film, period, body, setting, settings, true);
-    if (falls.outcome != FallsFitOutcome::fitted || settings.resamples == 0) return falls;
-    analysis::ImpactFitSettings values_alone = settings;
-    values_alone.resamples = 0;
-    std::vector<analysis::ImpactFit> noisier;
-    const OneFilm as_measured = film;
-    for (std::size_t draw = 0; draw < noisier_films; ++draw) {
-        film.frames = with_more_noise(as_measured.frames, falls.tracker_noise, settings.seed, draw);
-        const FallsFit other = fit_once(film, period, body, setting, values_alone, false);
-        if (other.outcome == FallsFitOutcome::fitted) noisier.push_back(other.fit);
+    const FallsInARow as_given = in_a_row(all, body.radius);
+    FallsFit falls;
+    if (setting.gravity) look_for_another_gravity(falls, as_given, period, body, setting);
+    if (has_another_gravity(falls, setting, body.radius, most_gravity_error)) {
+        falls.outcome = FallsFitOutcome::another_gravity;
+        return falls;
     }
-    const NoiseShift shift = add_noise_shift(falls.fit, noisier);
-    falls.noisier = noisier.size();
-    falls.restitution_shift = shift.restitution, falls.friction_shift = shift.friction;
+    const SensedFilm sensed = in_its_sense(as_given, period, body, setting);
+    static_cast<DividedFalls&>(falls) = sensed.divisions.best;
+    falls.angle_turned = sensed.angle_turned;
+    falls.outcome = body_outcome(falls, body);
+    if (falls.outcome == FallsFitOutcome::fitted) fit_divided(falls, body, settings);
+    if (falls.outcome != FallsFitOutcome::fitted || settings.resamples == 0) return falls;
+    add_noisier(falls, sensed.film, period, body, setting, settings);
     const double room = analysis::sure_square_of_three * std::pow(std::max(1.0, falls.fit.scatter), 2);
     const auto predicted = std::count_if(falls.fit.held_out.begin(), falls.fit.held_out.end(),
                                          [room](double square) { return square <= room; });
     falls.predicted_in_scatter = static_cast<double>(predicted) / static_cast<double>(falls.fit.held_out.size());
-    const std::size_t half = all.size() / 2;
-    const auto add = [&](const std::string& name, auto test) {
-        falls.subsets.push_back(subset(name, falls, body, settings, test));
-    };
-    if (all.size() > 1) {
-        add("odd falls", [](std::size_t fall, bool) { return fall % 2 == 0; });
-        add("even falls", [](std::size_t fall, bool) { return fall % 2 == 1; });
-        add("first half", [half](std::size_t fall, bool) { return fall < half; });
-        add("second half", [half](std::size_t fall, bool) { return fall >= half; });
-        add("first impacts", [](std::size_t, bool is_first) { return is_first; });
-        add("later impacts", [](std::size_t, bool is_first) { return !is_first; });
-    }
+    falls.subsets = subsets_of(falls, sensed.divisions.others, body, settings);
     return falls;
 }
 

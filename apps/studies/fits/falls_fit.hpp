@@ -2,46 +2,13 @@
 #pragma once
 
 #include "analysis/fits/fit_impacts.hpp"
-#include "analysis/fits/gravity.hpp"
-#include "apps/studies/fits/film_impacts.hpp"
-#include "apps/studies/fits/plate.hpp"
+#include "apps/studies/fits/falls_arcs.hpp"
 
-#include <Eigen/Core>
-
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace swirl::studies {
-
-/// The body, lengths in any unit.
-struct FallenBody {
-    int sides = 0;               ///< disk_sides: a disk
-    double radius = 1;           ///< R_p, from the centre to a vertex
-    double inertia = 0;          ///< I/m
-    bool inertia_known = false;  ///< else I/m is what momentum tells, and that of a uniform lamina only weighs errors
-    std::optional<double> mark;  ///< direction of a vertex at the film's angle 0, if it is known
-};
-
-struct FallsSetting {
-    std::optional<double> gravity;  ///< along −y, if it is known
-    /// Standard deviation of x, y and θ by the rounding of what was written alone.
-    Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();
-};
-
-enum class FallsFitOutcome {
-    fitted,
-    no_gravity,     ///< no arcs that bend alike were found
-    falls_up,       ///< gravity points along +y: so does the image's axis
-    another_size,   ///< bodies lie on the plate with another size (has_another_size)
-    another_shape,  ///< or with another number of sides
-    few_kinks,      ///< fewer than `fewest_kinks` meet
-    no_plate,       ///< fewer than `analysis::fewest_impacts` can be used, and most kinks are on no common plate
-    few_impacts,    ///< fewer than `analysis::fewest_impacts` can be used
-    no_law          ///< see `fit.outcome`
-};
 
 /// e and μ of a part of the impacts.
 struct SubsetFit {
@@ -51,20 +18,11 @@ struct SubsetFit {
     bool friction_open = false;                    ///< μ has no upper end
 };
 
-struct FallsFit {
-    FallsFitOutcome outcome = FallsFitOutcome::fitted;
-    analysis::FilmArcs arcs;     ///< of all falls, one after the other, lengths in R_p
-    std::vector<double> starts;  ///< of each fall, in the arcs' times
-    analysis::FallFit fall;      ///< by the arcs, per R_p; of a given one beside it
-    double division = 1;         ///< frames were divided as if noise were so many times what it is
-    Eigen::Matrix3d tracker_noise = Eigen::Matrix3d::Zero();  ///< FilmArcs::noise of the finest division
-    std::size_t longest = 0;                                  ///< frames of a piece of an arc, by which velocities are
-    Plate plate;
-    std::optional<BodyOnPlate> body;              ///< as the film shows it, with the given sides
-    std::optional<BodyOnPlate> shape;             ///< with other sides that are surely nearer to the plate
-    std::vector<FilmImpact> impacts;              ///< one a kink
-    std::array<std::size_t, kink_uses> counts{};  ///< of each KinkUse
-    std::size_t thinned = 0, alike = 0;           ///< as of FilmFit
+struct FallsFit : DividedFalls {
+    bool angle_turned = false;  ///< the angle is taken clockwise: as it was given impacts contradict it
+    /// Gravity along −y that free arcs tell where another is given, in R_p, and its standard error; NaN: none is told.
+    double gravity_of_arcs = analysis::nan, gravity_of_arcs_error = analysis::nan;
+    std::size_t thinned = 0, alike = 0;  ///< as of FilmFit
     double restitution_shift = 0, friction_shift = 0;
     std::size_t noisier = 0;  ///< films with as much noise again that could be fitted
     bool by_falls = false;    ///< resamples draw falls; else impacts
@@ -73,9 +31,6 @@ struct FallsFit {
     /// law.
     double predicted_in_scatter = analysis::nan;
     analysis::ImpactFit fit;  ///< in the caller's lengths
-
-    /// The fall that a time is in.
-    std::size_t fall_at(double time) const;
 };
 
 /// The body has surely (5 errors) another size than the given one, by `least` of it or more.
@@ -88,6 +43,24 @@ inline constexpr double most_fallen_size_error = 0.05;
 /// smaller than it is.
 inline constexpr double most_round_size_error = 0.3;
 
+/// Free arcs tell surely (5 errors) another gravity than the given one, by `least` of it or more.
+bool has_another_gravity(const FallsFit& falls, const FallsSetting& setting, double radius, double least);
+/// Of gravity: what a local one differs by.
+inline constexpr double least_gravity_error = 0.005;
+/// Of gravity: velocities at the ends of arcs of 0.1 s are off by some 5 cm/s of 1.5 m/s.
+inline constexpr double most_gravity_error = 0.05;
+
+/// Vertices are surely (5 errors) at another angle than the given mark says, by `least` or more.
+bool has_another_mark(const FallsFit& falls, const FallenBody& body, double least);
+/// How far (radians; less than half of 2π/N) they are from it.
+double mark_off(const FallsFit& falls, const FallenBody& body);
+inline constexpr double least_mark_error = 0.005;
+/// Contacts are beside the vertex by as much of R_p: momentum is told by arms that are off by it.
+inline constexpr double most_mark_error = 0.05;
+/// Where corners are round (see most_round_size_error) contacts are beside the vertex by themselves: of a square of
+/// 60 mm impacts put the mark 0.035 to either side of where it is.
+inline constexpr double most_round_mark_error = 0.15;
+
 /// Fewer falls are not drawn: resamples then draw impacts.
 inline constexpr std::size_t fewest_drawn_falls = 10;
 
@@ -95,7 +68,8 @@ inline constexpr std::size_t fewest_drawn_falls = 10;
 /// meet at an impact if one vertex is on the plate there, and both leave it. What is fitted to the impacts is as of
 /// fit_film(): plate and mark anew in each resample, fixed weights, films with as much noise again. Impacts of one fall
 /// share what is common to it: with `fewest_drawn_falls` or more, resamples draw falls with all their impacts. Subsets:
-/// the falls in two halves in two ways, and the first impacts of each and the later ones.
+/// the falls in two halves in two ways, the first impacts of each and the later ones, and all impacts as the other
+/// divisions of the frames have them. Where momentum says that the angle is measured clockwise it is turned.
 ///   falls  frames of each fall: times rise, lengths in units of body.radius's, y up;   period  of the angle
 /// @throws std::invalid_argument without frames
 FallsFit fit_falls(const std::vector<std::vector<analysis::FilmFrame>>& falls, double period, const FallenBody& body,

@@ -74,13 +74,18 @@ std::optional<BodyOnPlate> nearer_shape(const analysis::FilmArcs& arcs, const Fi
     constexpr double sure = 12, as_noise = 1.5, fitted = 4, far_off = 0.1;  // R_p
     constexpr int most_sides = 12, disk = 2;
     const Evidence film = evidence_of(arcs, scene);
-    const auto given = body_on_plate(film.kinks, film.noise, scene);
+    FilmedScene unmarked = scene;
+    unmarked.mark.reset();
+    auto given = body_on_plate(film.kinks, film.noise, unmarked);  // a wrong mark is no wrong number of sides
+    if (scene.mark) {
+        const auto marked = body_on_plate(film.kinks, film.noise, scene);
+        if (marked && !(given && given->scatter <= marked->scatter)) given = marked;
+    }
     if (given && given->scatter < as_noise * given->expected) return std::nullopt;
     std::optional<BodyOnPlate> nearest;
     for (int sides = disk; sides <= most_sides; ++sides) {
-        FilmedScene other = scene;
+        FilmedScene other = unmarked;
         other.sides = sides == disk ? disk_sides : sides;
-        other.mark.reset();
         if (other.sides == scene.sides) continue;
         const auto found = body_on_plate(film.kinks, film.noise, other);
         if (found && !(nearest && nearest->scatter <= found->scatter)) nearest = found;

@@ -72,6 +72,34 @@ std::vector<NamedImpactLaw> one_law() {
     return {{"disk", disk_law}};
 }
 
+TEST(EnergyChange, RisesWhereTimeRunsBackwards) {
+    const auto impacts = made(60, {0.5, {0.8, 0.2}, 0.01, 0.01}, 8);
+    std::vector<MeasuredImpact> forwards = impacts;
+    for (MeasuredImpact& impact : forwards) impact.error_before = impact.error_after = {0.01, 0.01, 0.01};
+    const EnergyChange lost = energy_change(forwards, 0.5);
+    EXPECT_EQ(lost.rises, 0U);
+    EXPECT_LT(lost.ratio, 1);
+    std::vector<MeasuredImpact> backwards = forwards;
+    for (MeasuredImpact& impact : backwards) {
+        const Eigen::Vector3d before = impact.before;
+        impact.before = -impact.after, impact.after = -before;
+    }
+    const EnergyChange gained = energy_change(backwards, 0.5);
+    EXPECT_GT(gained.rises, 50U);
+    EXPECT_NEAR(gained.ratio * lost.ratio, 1, 0.05);  // the medians of an even count are not each other's
+    const ImpactFit fit = fit_impacts(backwards, one_law(), {});
+    EXPECT_EQ(fit.outcome, ImpactFitOutcome::gains_energy);
+    EXPECT_EQ(fit.energy.rises, gained.rises);
+    backwards.resize(8);
+    for (MeasuredImpact& impact : backwards) impact.error_before = impact.error_after = {9, 9, 9};
+    EXPECT_EQ(energy_change(backwards, 0.5).rises, 0U);  // not surely
+    MeasuredImpact known;  // v² + k S²: 4 + 0.5 · 4 = 6 before, 1 + 0.5 · 16 = 9 after
+    known.before << 0, -2, 2;
+    known.after << 0, 1, 4;
+    known.offset << 0, -1;
+    EXPECT_DOUBLE_EQ(energy_change(std::vector<MeasuredImpact>{known}, 0.5).ratio, 1.5);
+}
+
 TEST(MomentumBalance, OfExactImpactsHasOneOverKTwice) {
     const auto impacts = made(50, {}, 1, 0.7);
     const MomentumSigns signs = momentum_signs(impacts);

@@ -251,6 +251,8 @@ class WrongInput(Refusing):
         self.refused(f"fit --impacts {self.written(table(rows[:9]) + 'a,b,c,d,e,f,g,h')}", "not a number")
         swapped = [row[3:6] + row[:3] + row[6:] for row in rows]
         self.refused(f"fit --impacts {self.written(table(swapped))}", "away from the wall")
+        backwards = [tuple(-v for v in row[3:6] + row[:3]) + row[6:] for row in rows]
+        self.refused(f"fit --impacts {self.written(table(backwards))}", "time runs backwards")
         upside = [(row[0], -row[1], row[2], row[3], -row[4], row[5], row[6], row[7]) for row in rows]
         self.refused(f"fit --impacts {self.written(table(upside))}", "away from the wall")
         still = [(0, -1, 0, 0, 0.5, 0, 0, -1) for _ in range(20)]

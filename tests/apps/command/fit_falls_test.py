@@ -107,7 +107,11 @@ class Truth(WithFalls, InFolder):
             self.assertLess(room, 0.15 * number["value"], name)
         self.assertGreater(found["predicted"], 0.7)
         self.assertEqual([part["part"] for part in found["subsets"]],
-                         ["odd falls", "even falls", "first half", "second half", "first impacts", "later impacts"])
+                         ["odd falls", "even falls", "first half", "second half", "first impacts", "later impacts",
+                          "division 1", "division 10", "division 30"])
+        self.assertFalse(falls["angle_turned"])
+        self.assertLess(found["energy_ratio"], 0.9)
+        self.assertEqual(found["energy_rises"], 0)
         given = document(f"fit --falls {files} {FLAGS} {FEW} --gravity 9.81 --inertia-factor {INERTIA / RADIUS ** 2}")
         self.assertEqual(given["falls"]["gravity_error"], [0, 0])
         self.assertAlmostEqual(given["inertia"]["low"], INERTIA, delta=1e-12)
@@ -122,6 +126,37 @@ class Truth(WithFalls, InFolder):
                    for threads in (1, 2, 3)}
         self.assertEqual(len(answers), 1)
         self.assertIn("restitution", answers.pop())
+
+    def test_neither_order_nor_origin_count(self):
+        files = self.written(6, name="order").split()
+        far = []
+        for path in files:
+            rows = [line.split(",") for line in Path(path).read_text().splitlines()[1:]]
+            far.append(self.folder / f"far{len(far)}.csv")
+            far[-1].write_text("x,y,theta\n" + "".join(f"{float(x) + 1e4:.6f},{float(y) - 1e4:.6f},{angle}\n" for x, y, angle in rows))
+        here, backwards, there = (document(f"fit --falls {' '.join(map(str, falls))} {FLAGS} {FEW}")
+                                  for falls in (files, files[::-1], far))
+        for found in (backwards, there):
+            for name in ("restitution", "friction", "inertia"):
+                for end in ("value", "low", "high"):
+                    # To the bit by order; a place beyond 1e4 has some 1e-12 of it left, a millionth of a digit.
+                    self.assertAlmostEqual(found[name][end], here[name][end], delta=0 if found is backwards else 1e-6 * here[name][end])
+        self.assertAlmostEqual(there["falls"]["plate_height"] - here["falls"]["plate_height"],
+                               -1e4 * (math.cos(TILT) + math.sin(TILT)), delta=30)  # its tilt is known to 0.003
+
+    def test_an_angle_in_the_other_sense(self):
+        files = self.written(8, name="sense").split()
+        for k, change in enumerate((lambda x, y, angle: (-x, y, angle), lambda x, y, angle: (x, y, -angle))):
+            mirrored = []
+            for path in files:
+                rows = [tuple(map(float, line.split(","))) for line in Path(path).read_text().splitlines()[1:]]
+                mirrored.append(self.folder / f"mirrored{k}_{len(mirrored)}.csv")
+                mirrored[-1].write_text("x,y,theta\n" + "".join("%.6f,%.6f,%.5f\n" % change(*row) for row in rows))
+            found = document(f"fit --falls {' '.join(map(str, mirrored))} {FLAGS} {FEW}")
+            self.assertTrue(found["falls"]["angle_turned"])
+            self.assertTrue(any("other sense" in note for note in found["notes"]), found["notes"])
+            self.assertAlmostEqual(found["restitution"]["value"], E, delta=0.03)
+            self.assertAlmostEqual(found["friction"]["value"], MU, delta=0.03)
 
     def test_an_image_has_its_axis_down(self):
         for path in map(Path, self.written(6, name="down").split()):
@@ -209,14 +244,53 @@ class WrongInput(WithFalls, Refusing):
     def test_a_fall_counts_once(self):
         files = self.written(3).split()
         self.refused(f"fit --falls {' '.join(files)} {files[1]} {FLAGS}", "fall1.csv' is given twice")
-        same, part, other = (self.other / name for name in ("same.csv", "part.csv", "other.csv"))
+        same, part, other, own = (self.other / name for name in ("same.csv", "part.csv", "other.csv", "own.csv"))
         rows = Path(files[1]).read_text().splitlines()
         same.write_text("\n".join(rows))  # one byte less, the same rows
-        self.refused(f"fit --falls {' '.join(files)} {same} {FLAGS}", f"'{files[1]}' and '{same}' have the same rows")
         part.write_text("\n".join(rows[:1] + rows[20:80]) + "\n")
-        self.refused(f"fit --falls {part} {' '.join(files)} {FLAGS}", f"'{part}' are among those of '{files[1]}'")
         other.write_text("\n".join(rows[:-1] + ["0,0,0"]) + "\n")  # of which one row is its own
-        self.assertNotIn("counts once", run(f"fit --falls {' '.join(files)} {other} {FLAGS}").stderr)
+        for path, count in ((same, 125), (part, 60), (other, 124)):
+            self.refused(f"fit --falls {' '.join(files)} {path} {FLAGS}",
+                         f"'{files[1]}' and '{path}' have {count} rows in common; each fall counts once")
+        again = Path(self.written(9, name="own").split()[-1]).read_text().splitlines()
+        own.write_text("\n".join(again[:4] + rows[4:7] + again[7:]) + "\n")  # three alike, by chance
+        self.assertNotIn("counts once", run(f"fit --falls {' '.join(files)} {own} {FLAGS}").stderr)
+
+    def rewritten(self, path, change):
+        """A fall of which change(i, x, y, theta) gives each row."""
+        rows = [tuple(map(float, line.split(","))) for line in Path(path).read_text().splitlines()[1:]]
+        other = self.other / f"other{len(list(self.other.iterdir()))}.csv"
+        other.write_text("x,y,theta\n" + "".join("%.6f,%.6f,%.5f\n" % change(i, *row) for i, row in enumerate(rows)))
+        return str(other)
+
+    def test_a_file_that_is_none_of_the_others_is_named(self):
+        files = self.written(4).split()
+        for change in (lambda i, x, y, angle: (1000 * x, 1000 * y, angle), lambda i, x, y, angle: (x, 0.2 - y, -angle)):
+            other = self.rewritten(files[1], change)
+            self.refused(f"fit --falls {files[0]} {other} {files[2]} {files[3]} {FLAGS}", f"falls '{other}' fall by ")
+        half = self.other / "half.csv"  # every other row
+        rows = Path(files[1]).read_text().splitlines()
+        half.write_text("\n".join(rows[:1] + rows[1::2]) + "\n")
+        self.refused(f"fit --falls {files[0]} {half} {files[2]} {files[3]} {FLAGS}", f"falls '{half}' fall by ")
+
+    def test_what_is_given_is_what_the_falls_show(self):
+        files = self.written(8, name="given")
+        for flag, mention in (("--gravity 98", "tell a gravity of 9."), ("--gravity 12", "--gravity says 12"),
+                              ("--gravity 4.9", "tell a gravity of 9."), ("--vertex 0.5", "rad from --vertex 0.5")):
+            self.refused(f"fit --falls {files} {FLAGS} {FEW} {flag}", mention)
+        found = document(f"fit --falls {files} {FLAGS} {FEW} --vertex {5 * math.pi}")  # as good as 0
+        self.assertAlmostEqual(found["falls"]["vertex_of_impacts"], 0, delta=0.01)
+        found = document(f"fit --falls {files} {FLAGS} {FEW} --gravity 9.65")
+        self.assertAlmostEqual(found["falls"]["gravity_of_arcs"], GRAVITY, delta=0.05)
+        self.assertTrue(any("--gravity says 9.65" in note for note in found["notes"]), found["notes"])
+
+    def test_a_film_that_runs_backwards(self):
+        turned = []
+        for path in self.written(8, name="back").split():
+            rows = Path(path).read_text().splitlines()
+            turned.append(self.other / f"turned{len(turned)}.csv")
+            turned[-1].write_text("\n".join(rows[:1] + rows[:0:-1]) + "\n")
+        self.refused(f"fit --falls {' '.join(map(str, turned))} {FLAGS} {FEW}", "time runs backwards")
 
     def test_falls_that_no_law_fits(self):
         still = self.other / "still.csv"

@@ -179,14 +179,14 @@ class KeptColumns(Keeping):
 
     def test_branches_are_kept(self):
         """While some periods' are still continued; the record has those that the document has."""
-        pentagon = "--sides 5 --beta 0.5 --mu 0.3 --restitution 0.9 --along alpha=0.95:0.05:60 --longest-branch 64"
+        pentagon = "--sides 5 --beta 0.5 --mu 0.3 --restitution 0.9 --along alpha=0.95:0.05:400 --longest-branch 64"
         for seconds in (1, 2, 4, 8, 16, 32):  # until the first branches are there, and long before the last
             answer = self.interrupt(f"bifurcate {pentagon} --branches", seconds)
             self.assertEqual(answer["outcome"], "interrupted")
             if answer["branches"]:
                 break
             (self.folder / "i.h5").unlink()
-        self.assertEqual(len(answer["columns"]), 60)
+        self.assertEqual(len(answer["columns"]), 400)
         self.assertGreater(len(answer["branches"]), 0)
         self.assertEqual(self.samples("branch_ends").sizes["branch"], len(answer["branches"]))
 

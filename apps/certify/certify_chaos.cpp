@@ -6,6 +6,7 @@
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/output/wrapped.hpp"
+#include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_chaos.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/proof_check/stated_chaos.hpp"
@@ -17,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -97,6 +97,100 @@ void write_sets(JsonWriter& json, const ProvenChaos& found) {
     json.end_array();
 }
 
+Settings result_of(const ProvenChaos& found) {
+    return {{"proven", found.proven()},
+            {"entropy", found.bound.entropy},
+            {"growth", found.bound.growth},
+            {"exponent", found.exponent},
+            {"J", found.claim.jacobi.value_or(std::nan(""))},
+            {"reason", found.reason}};
+}
+
+std::vector<std::string> chart_names(const ProvenChaos& found) {
+    std::vector<std::string> names;
+    for (const std::size_t index : proof::section_chart(found.scene)) names.emplace_back(coordinate_names[index]);
+    return names;
+}
+
+struct ChaosSet {
+    const proof::SectionSet* set;
+    double weight;
+};
+
+Table<ChaosSet> set_table(const std::vector<std::string>& coordinates) {
+    using F = Field<ChaosSet>;
+    Table<ChaosSet> table{{"set"}, {}, {}, {}};
+    const std::size_t n = coordinates.size();
+    for (std::size_t i = 0; i < n; ++i)
+        table.fields.push_back(
+            F{"centre_" + coordinates[i], [i](const ChaosSet& s) { return s.set->centre[i]; }, "1", "of the set"});
+    for (std::size_t edge = 0; edge < n; ++edge)
+        for (std::size_t i = 0; i < n; ++i)
+            table.fields.push_back(F{fmt::format("edge{}_{}", edge + 1, coordinates[i]),
+                                     [=](const ChaosSet& s) { return s.set->matrix[n * i + edge]; }, "1",
+                                     edge == 0 ? "half the edge that F stretches" : "half an edge"});
+    table.fields.push_back(F{"weight", &ChaosSet::weight, "1", "v of A v >= growth v, A the matrix of the coverings"});
+    return table;
+}
+
+struct ChaosCovering {
+    const proof::CoveringClaim* link;
+    int pieces;
+};
+
+Table<ChaosCovering> covering_table() {
+    using F = Field<ChaosCovering>;
+    const auto number = [](std::size_t proof::CoveringClaim::*end) {
+        return [end](const ChaosCovering& c) { return static_cast<std::int64_t>(c.link->*end) + 1; };
+    };
+    return {{"covering"},
+            {F{"from", number(&proof::CoveringClaim::from), "1", "the set, from 1"},
+             F{"to", number(&proof::CoveringClaim::to), "1", "the set that it is carried over"},
+             F{"contact_mode", [](const ChaosCovering& c) { return std::string(name_of(c.link->branch.mode)); }, "",
+               "of the impacts"},
+             F{"flight_time", [](const ChaosCovering& c) { return c.link->time; }, "1/omega_s",
+               "from the first set's centre"},
+             F{"pieces", [](const ChaosCovering& c) { return std::int64_t{c.pieces}; }, "1", "in which it is proven"}},
+            {},
+            {}};
+}
+
+Table<CarriedPoint> carried_table() {
+    using F = Field<CarriedPoint>;
+    return {
+        {"carried_point"},
+        {F{"covering", [](const CarriedPoint& p) { return static_cast<std::int64_t>(p.covering) + 1; }, "1", "from 1"},
+         F{"q", &CarriedPoint::q, "1", "of the set that is carried, along the edge that F stretches"},
+         F{"side", &CarriedPoint::side, "1", "along its second edge"},
+         F{"carried_q", &CarriedPoint::carried_q, "1", "where F carries it, in the edges of the other set"},
+         F{"carried_side", &CarriedPoint::carried_side, "1", "along the second of these"}},
+        {},
+        {}};
+}
+
+void write_chaos_record(RecordWriter& record, const ProvenChaos& found, const Settings& settings) {
+    constexpr int points = 41;
+    std::vector<ChaosSet> sets;
+    for (std::size_t i = 0; i < found.claim.sets.size(); ++i)
+        sets.push_back({&found.claim.sets[i], i < found.bound.weights.size() ? found.bound.weights[i] : 0});
+    std::vector<ChaosCovering> coverings;
+    for (std::size_t i = 0; i < found.claim.links.size(); ++i)
+        coverings.push_back({&found.claim.links[i], found.pieces[i]});
+    const RecordGroup root = record.root();
+    write_attributes(root.group("scene"), scene_settings(found.scene));
+    write_attributes(root.group("settings"), settings);
+    write_attributes(root.group("result"), {{"outcome", found.whole ? "completed" : "interrupted"}});
+    write_attributes(root.group("chaos"), result_of(found));
+    write_record(root.group("sets"), set_table(chart_names(found)), sets);
+    write_record(root.group("coverings"), covering_table(), coverings);
+    write_record(root.group("carried"), carried_table(), carried_points(found, points));
+}
+
+Settings settings_of(const ChaosOptions& how) {
+    return {{"link_length", static_cast<std::int64_t>(how.longest_link)},
+            {"exponent_impacts", static_cast<std::int64_t>(how.exponent_impacts)}};
+}
+
 std::string document_of(const CertifyOptions& options, const ProvenChaos& found, const ChaosOptions& how) {
     std::string text;
     JsonWriter json(text);
@@ -115,16 +209,14 @@ std::string document_of(const CertifyOptions& options, const ProvenChaos& found,
     json.end_object();
     json.key("coordinates");
     json.begin_array();
-    for (const std::size_t index : proof::section_chart(found.scene)) json.value(coordinate_names[index]);
+    for (const std::string& name : chart_names(found)) json.value(name);
     json.end_array();
     json.key("J");
     found.claim.jacobi ? json.value(*found.claim.jacobi) : json.null();
     write_cycles(json, found);
     write_sets(json, found);
     json.member("outcome", found.whole ? "completed" : "interrupted");
-    write_json(json, "settings",
-               Settings{{"link_length", static_cast<std::int64_t>(how.longest_link)},
-                        {"exponent_impacts", static_cast<std::int64_t>(how.exponent_impacts)}});
+    write_json(json, "settings", settings_of(how));
     json.member("swirl_version", version());
     json.end_object();
     json.finish();
@@ -191,8 +283,7 @@ int certify_chaos(CertifyOptions& options) {
     options.start.take_from(options.scene);
     if (options.record.empty()) proof::require_chart(options.scene.scene<double>());
     if (options.all) options.max_time();  // refused before the file is opened
-    const std::unique_ptr<OutputFile> file =
-        open_certificate(options.certificate, options.output.force, {options.record, options.scene.file()});
+    CertifyFiles files = open_files(options, "Sets that the map carries over each other: chaos, proven");
     note_interruptions();
     ChaosOptions how;
     how.longest_link = static_cast<int>(options.link_length.value_or(how.longest_link));
@@ -206,8 +297,13 @@ int certify_chaos(CertifyOptions& options) {
                 fmt::format("record '{}': its cycles are of different scenes; --orbit I chooses one", options.record));
     const ProvenChaos found = proven_chaos(asked.scene, asked.places, how);
     finish_up();
-    const std::string text = file || options.output.json ? document_of(options, found, how) : std::string();
-    if (file) write_certificate(*file, text);
+    if (files.record) {
+        write_chaos_record(*files.record, found, settings_of(how));
+        files.record->finish();
+    }
+    const bool is_text = files.certificate || options.output.json;
+    const std::string text = is_text ? document_of(options, found, how) : std::string();
+    if (files.certificate) write_certificate(*files.certificate, text);
     if (options.output.json)
         print_text(text);
     else if (!options.output.quiet)

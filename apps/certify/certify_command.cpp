@@ -58,7 +58,8 @@ proven. No families (a disk, or no friction, at restitution = 1).
 about those of orbits that lead from one to another in --link-length impacts or fewer, and proves that F carries each over
 the next, stretched across it in one direction and squeezed into it in the others. Then every path from set to set is some
 orbit's, and the paths' entropy is a lower bound of the map's. Beside it stands the largest Lyapunov exponent, a number
-without proof. Of a disk without friction --near says the level of J, too. Exit code 3 if no entropy > 0 is proven.
+without proof. Of a disk without friction --near says the level of J, too. Exit code 3 if no entropy > 0 is proven. `swirl
+plot` draws the record: where the sets are, and how they are carried over one of them.
 
 The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
 fixed points is not part of that. Of chaos it proves what sets and coverings say (with vertex_step and contact_mode), that
@@ -103,7 +104,7 @@ void CertifyOptions::add_to(Flags& command) {
                        "no cell of --plane is halved below this share of the plane's sides (default 1/256)");
     add_file(command, "--check", check, "CERT.json", "prove a certificate again");
     add_file(command, "-o,--output", certificate, "CERT.json",
-             "write the document, a certificate, to a file; of --plane a record unless it ends in .json")
+             "write the document, a certificate, to a file; of --plane and --chaos a record unless it ends in .json")
         ->group("Output");
     command.add_flag("--force", output.force, "replace an existing file that is no certificate")->group("Output");
 }
@@ -250,6 +251,20 @@ int check_certificate(const CertifyOptions& options) {
         if (stated.all) fmt::print("  that these are all fixed points is not checked\n");
     }
     return good ? exit_done : exit_numerical_ending;
+}
+
+CertifyFiles open_files(const CertifyOptions& options, const std::string& title) {
+    constexpr std::string_view suffix = ".json";
+    const std::string& name = options.certificate;
+    const bool is_certificate =
+        name.size() >= suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+    const std::vector<std::string> inputs = {options.record, options.scene.file()};
+    OutputOptions output = options.output;
+    if (!is_certificate) output.record = name;
+    CertifyFiles files;
+    files.certificate = open_certificate(is_certificate ? name : std::string(), options.output.force, inputs);
+    files.record = open_record(output, title, inputs, options.scene.units());
+    return files;
 }
 
 int certify(CertifyOptions& options) {

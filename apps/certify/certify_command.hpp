@@ -4,9 +4,12 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/record/output_file.hpp"
+#include "apps/record/record_writer.hpp"
 #include "apps/studies/certify/certified_orbit.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +59,14 @@ AskedCycles asked_cycles(const CertifyOptions& options);
 /// All that was proven, as a document or certificate without its checksum and last brace.
 std::string certificate_text(const CertifyOptions& options, const Certified& certified);
 void print_certified(const CertifyOptions& options, const Certified& certified);
+
+/// What -o of --plane and --chaos writes: a certificate where its name ends in .json, else a record.
+struct CertifyFiles {
+    std::unique_ptr<OutputFile> certificate;
+    std::optional<RecordWriter> record;
+};
+/// Opened before any work. @throws BadInput
+CertifyFiles open_files(const CertifyOptions& options, const std::string& title);
 
 int certify(CertifyOptions& options);
 /// --plane.

@@ -177,15 +177,6 @@ void print_plane(const CertifyOptions& options, const ProvenPlane& found) {
     if (!found.whole) fmt::print("  interrupted: cells were not looked at\n");
 }
 
-bool is_certificate_name(const std::string& name) {
-    constexpr std::string_view suffix = ".json";
-    return name.size() >= suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
-}  // namespace
-
-namespace {
-
 /// What is said of a parameter twice, or backwards. @throws BadInput
 void require_one_plane(const CertifyOptions& options, const Plane& plane) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -207,23 +198,18 @@ int certify_plane(CertifyOptions& options) {
     how.max_time = options.scene.longest_flight(options.longest, how.max_time, 1000);
     how.halvings = halvings_of(options);
     studies::certify::require_isolated(scene, plane);
-    const bool as_certificate = is_certificate_name(options.certificate);
-    OutputOptions output = options.output;
-    if (!as_certificate) output.record = options.certificate;
-    const std::unique_ptr<OutputFile> file = open_certificate(as_certificate ? options.certificate : std::string(),
-                                                              options.output.force, {options.scene.file()});
-    std::optional<RecordWriter> record = open_record(output, "Proven cells of a plane of a swirled polygon",
-                                                     {options.scene.file()}, options.scene.units());
+    CertifyFiles files = open_files(options, "Proven cells of a plane of a swirled polygon");
     note_interruptions();
     how.control = run_control(options.output);
     const ProvenPlane found = studies::certify::proven_plane(scene, plane, how);
     finish_up();
-    if (record) {
-        write_plane_record(*record, scene, found);
-        record->finish();
+    if (files.record) {
+        write_plane_record(*files.record, scene, found);
+        files.record->finish();
     }
-    const std::string text = file || options.output.json ? document_of(options, scene, found) : std::string();
-    if (file) write_certificate(*file, text);
+    const bool is_text = files.certificate || options.output.json;
+    const std::string text = is_text ? document_of(options, scene, found) : std::string();
+    if (files.certificate) write_certificate(*files.certificate, text);
     if (options.output.json)
         print_text(text);
     else if (!options.output.quiet)

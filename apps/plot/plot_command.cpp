@@ -39,6 +39,7 @@ const char* const plot_details =
   boundaries          boundaries (curves in two parameters and their special points; over the mode map of a
                       sweep, if its record is given first)
   certify --plane     cells (proven cells by the number of attracting fixed points; what is not proven is black)
+  certify --chaos     sets (where they are, and how the map carries them over one of them)
   sweep, join         modes (bands, a map or panels, by the number of parameters; points of --sample); basins
                       (over two numbers of the start: the attractor that each start came to); attractors
                       (with --track, over one parameter: share and mean S of each); means (mean S or another
@@ -67,7 +68,7 @@ void PlotOptions::add_to(Flags& command) {
         ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
                  "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
                  "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour",        "energy",
-                 "means",  "map",        "fit",      "arcs",     "cells",        "ramp"});
+                 "means",  "map",        "fit",      "arcs",     "cells",        "ramp",        "sets"});
     command.add_option("--width", width, "WIDTH", "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
     command.add_option("--font-size", font_size, "POINTS", "of the letters, in points (default 9, in a column 8)");

@@ -46,6 +46,8 @@ FIGURES = {
         ("curves", f"boundaries {HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 2", "", "Curves on which cycles appear, end or change their stability"),
         ("cells", f"certify {HEXAGON} --plane alpha=0.55:0.7 --plane beta=0.6:0.8 --max-time 6 --resolution 0.03125", "",
          "Cells on which the number of fixed points is proven"),
+        ("sets", "certify --sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --near=3.1415927,-0.144,0.048,0 --chaos", "",
+         "Sets that the map carries over one another: a proof of chaos"),
     ),
     "Maps": (
         ("modes", f"sweep {HEXAGON} --grid alpha=0.1:0.9:33 --grid beta=0.05:1.05:21 --runs 2", "", "Modes over two parameters"),

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 from . import (arcs, attractors, balance, basins, bifurcation, boundaries, cells, contacts, energy, fit, lyapunov, multipliers, orbit, path,
-               quantities, ramp, recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
+               quantities, ramp, recurrence, section, sets, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit, require_kinds
 from .record import RecordError, open_record
 from .room import PAGE, make_room
@@ -52,6 +52,7 @@ KINDS = {
     "map": Kind(quantities.has_plane, quantities.draw_map, quantities.map_size),
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "cells": Kind(cells.is_of_cells, cells.draw_into, cells.size),
+    "sets": Kind(sets.is_of_sets, sets.draw_into, sets.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
     "ramp": Kind(ramp.is_ramp, ramp.draw_into, ramp.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),

@@ -190,9 +190,9 @@ def _is_watched():
 
 
 def _writes_record(own, keywords):
-    """Proven cells are a record; what else is proven is a certificate, in JSON."""
+    """Proven cells and chaos are a record; what else is proven is a certificate, in JSON."""
     if own.name == "certify":
-        return keywords.get("plane") is not None and not os.fspath(keywords.get("output") or "").lower().endswith(".json")
+        return (keywords.get("plane") is not None or keywords.get("chaos")) and not os.fspath(keywords.get("output") or "").lower().endswith(".json")
     return own.writes_record and keywords.get("camera") is None and keywords.get("each") is None
 
 

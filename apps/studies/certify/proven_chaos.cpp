@@ -3,6 +3,8 @@
 #include "apps/studies/certify/saddles.hpp"
 #include "apps/studies/parallel/pieces.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -299,6 +301,35 @@ ProvenChaos proven_chaos(const Scene<double>& scene, const std::vector<CyclePlac
     }
     if (!found.proven() && found.reason.empty()) found.reason = missing(found);
     return found;
+}
+
+std::vector<CarriedPoint> carried_points(const ProvenChaos& found, int count) {
+    std::vector<CarriedPoint> points;
+    const proof::ChaosClaim& claim = found.claim;
+    if (claim.links.empty()) return points;
+    const ChartMap map(found.scene, claim.links.front().image);  // on its level of J
+    const auto centre_of = [](const proof::SectionSet& set) {
+        return Eigen::Map<const Eigen::VectorXd>(set.centre.data(), static_cast<Eigen::Index>(set.centre.size()));
+    };
+    const auto matrix_of = [](const proof::SectionSet& set) {
+        const auto n = static_cast<Eigen::Index>(set.centre.size());
+        return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            set.matrix.data(), n, n);
+    };
+    for (std::size_t k = 0; k < claim.links.size(); ++k) {
+        const proof::SectionSet &from = claim.sets[claim.links[k].from], &to = claim.sets[claim.links[k].to];
+        const Eigen::PartialPivLU<Eigen::MatrixXd> inverse(matrix_of(to));
+        for (const double side : {-1.0, 0.0, 1.0})
+            for (int i = 0; i < count; ++i) {
+                Eigen::VectorXd own = Eigen::VectorXd::Zero(map.dimension());
+                own[0] = 2.0 * i / (count - 1) - 1, own[1] = side;
+                const ChartStep step = map.step(centre_of(from) + matrix_of(from) * own);
+                if (!step.alive) continue;
+                const Eigen::VectorXd at = inverse.solve(map.difference(step.state, centre_of(to)));
+                points.push_back({k, own[0], side, at[0], at[1]});
+            }
+    }
+    return points;
 }
 
 }  // namespace swirl::studies::certify

@@ -67,4 +67,16 @@ struct ProvenChaos {
 ProvenChaos proven_chaos(const Scene<double>& scene, const std::vector<CyclePlace>& places,
                          const ChaosOptions& options);
 
+/// A point of a set, (q, side, 0, …) in the set's own coordinates, and where F carries it, in those of the set that
+/// this one is carried over: that is crossed from q = −1 to 1, between −1 and 1 of the others.
+struct CarriedPoint {
+    std::size_t covering = 0;  ///< of `claim.links`, from 0
+    double q = 0, side = 0;
+    double carried_q = 0, carried_side = 0;
+};
+
+/// Of each covering so many q, evenly from −1 to 1, on the sides −1, 0 and 1: to be drawn, no part of the proof. Points
+/// that lead to no impact are left out.
+std::vector<CarriedPoint> carried_points(const ProvenChaos& found, int count);
+
 }  // namespace swirl::studies::certify

@@ -7,6 +7,7 @@ import random
 import sys
 import unittest
 
+import h5py
 import numpy
 
 from certificates import with_new_checksum
@@ -167,11 +168,26 @@ class ChaosOfADisk(Chaos, InFolder):
         for threads in (1, 3):
             self.assertEqual(run(f"{self.command} --json --threads {threads}").stdout, self.text)
 
-    def test_the_table_says_the_bound(self):
-        table = run(self.command).stdout
+    def test_the_table_says_the_bound_and_the_record_has_the_sets(self):
+        table = run(f"{self.command} -o sets.h5", cwd=self.folder).stdout
         self.assertIn(f"proven: topological entropy of F >= {self.found['chaos']['entropy']:.6f} per impact", table)
         self.assertIn("not proven", table.splitlines()[-1])
         self.assertLessEqual(max(map(len, table.splitlines())), 120)
+        with h5py.File(self.folder / "sets.h5") as record:
+            self.assertEqual(record["chaos"].attrs["entropy"], self.found["chaos"]["entropy"])
+            self.assertEqual(record["chaos"].attrs["J"], self.found["J"])
+            for k, name in enumerate(self.found["coordinates"]):
+                self.assertEqual(list(record[f"sets/centre_{name}"]), [one["centre"][k] for one in self.found["sets"]])
+                for edge in range(len(self.found["coordinates"])):
+                    self.assertEqual(list(record[f"sets/edge{edge + 1}_{name}"]), [one["matrix"][k][edge] for one in self.found["sets"]])
+            for name in ("from", "to"):
+                self.assertEqual(list(record[f"coverings/{name}"]), [one[name] for one in self.found["coverings"]])
+            carried = {name: record[f"carried/{name}"][()] for name in record["carried"]}
+            for number in range(1, len(self.found["coverings"]) + 1):  # beyond both ends, and out by no other side
+                of_it = carried["covering"] == number
+                low, high = (carried["carried_q"][of_it & (carried["q"] == q)] for q in (-1, 1))
+                self.assertTrue((low * high < -1).all() and (abs(low) > 1).all() and (abs(high) > 1).all(), number)
+                self.assertTrue((abs(carried["carried_side"][of_it & (abs(carried["carried_q"]) <= 1)]) < 1).all(), number)
 
     def test_where_there_is_none_the_inequality_is_named(self):
         result = run(f"certify {DISK} --near=0,-0.8497,0.5456,0 --chaos --link-length 4")

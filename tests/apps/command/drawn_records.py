@@ -43,7 +43,7 @@ KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "t
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "three-axes": ["modes", "means", "map"], "sweep": ["modes", "means"], "tour": ["tour"],
-            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "ramp": ["ramp"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"], "cells": ["cells"]}
+            "fit": ["fit"], "film": ["arcs"], "diagram": ["bifurcation"], "ramp": ["ramp"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"], "cells": ["cells"], "sets": ["sets"]}
 
 
 def measured_series():
@@ -66,7 +66,7 @@ class WithRecords(with_records({**COMMANDS, **(SLOW if ALL else {})})):
         impacts = folder / "impacts.csv"
         impacts.write_text(impact_tables.table(impact_tables.impacts(60, noise=0.02)))
         cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, folder))
-        for name in ("diagram", "cycles", "few-cycles", "curves", "cells", "ladders", "film"):
+        for name in ("diagram", "cycles", "few-cycles", "curves", "cells", "sets", "ladders", "film"):
             cls.records[name] = folder / f"{name}.h5"
         for count in (1, 2, 3):
             cls.records[f"points{count}"] = folder / f"points{count}.h5"
@@ -77,4 +77,5 @@ class WithRecords(with_records({**COMMANDS, **(SLOW if ALL else {})})):
         figure_records.write_tradeoff(cls.records["ladders"])
         figure_records.write_boundaries(cls.records["curves"])
         figure_records.write_cells(cls.records["cells"])
+        figure_records.write_sets(cls.records["sets"])
         figure_records.write_film(cls.records["film"])

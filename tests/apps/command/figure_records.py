@@ -176,6 +176,31 @@ def write_cells(path):
         _write(group, "doubt", ["cell"], ["none" if is_proven else "stability" for is_proven in proven])
 
 
+def write_sets(path):
+    """Sets in the layout of `swirl certify --chaos`: a horseshoe, whose set about a saddle is carried over itself and over a
+    second one, and that over the first: stretched by 5, squeezed by 1/5."""
+    coverings = ((1, 1, 0.0), (1, 2, 0.0), (2, 1, 0.6))
+    with _record(path, {"link_length": 12}, SCENE) as file:
+        file.create_group("result").attrs["outcome"] = "completed"
+        file.create_group("chaos").attrs.update({"proven": 1, "entropy": 0.481, "growth": 1.618, "exponent": 0.5})
+        group = file.create_group("sets")
+        _dimension(group, "set", 2)
+        for name, values in (("centre_psi", [3.1, 2.9]), ("centre_vt", [0.05, 0.2]), ("edge1_psi", [0.01, 0.002]), ("edge1_vt", [0, 0]),
+                             ("edge2_psi", [0, 0]), ("edge2_vt", [0.02, 0.01]), ("weight", [1, 0.6])):
+            _write(group, name, ["set"], numpy.array(values, dtype="f8"))
+        group = file.create_group("coverings")
+        _dimension(group, "covering", len(coverings))
+        for k, name in enumerate(("from", "to")):
+            _write(group, name, ["covering"], numpy.array([covering[k] for covering in coverings]))
+        q = numpy.linspace(-1, 1, 41)
+        points = [(number + 1, one, side, 5 * one, shift + 0.2 * side) for number, (_, _, shift) in enumerate(coverings)
+                  for side in (-1, 0, 1) for one in q]
+        group = file.create_group("carried")
+        _dimension(group, "carried_point", len(points))
+        for name, values in zip(("covering", "q", "side", "carried_q", "carried_side"), zip(*points)):
+            _write(group, name, ["carried_point"], numpy.array(values))
+
+
 RUNGS = [("double", 2.3e-7, 4e-16, 6e-14, 3e-10, 1e4, 0), ("extended", 1.9e-6, 2e-19, 3e-17, 2e-13, 1e4, 0),
          ("paper", 4.4e-6, 3e-14, 9e-14, 4e-9, 1e4, 37), ("fixed-step", 3.2e-5, 2e-3, 2e-2, 4e-1, 1e4, 412),
          ("quad", 6.1e-5, *[numpy.nan] * 5)]

@@ -39,6 +39,7 @@ RECORDS = {
     "loop": (f"ramp {STEADY} --along mu=0.5:0.45 --duration 300 --windows 5 --cycles 2 --branches", "ramp"),
     "curves": (f"boundaries {HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 1 --lines 2", "boundaries"),
     "cells": (f"certify {HEXAGON} --plane alpha=0.3:0.31 --plane beta=0.5:0.51 --max-time 2 --resolution 0.25", "cells"),
+    "sets": ("certify --sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --near=3.1415927,-0.144,0.048,0 --chaos --link-length 4", "sets"),
     "line": (f"sweep {STEADY.replace('--alpha 0.4 ', '')} --grid alpha=0.3:0.5:3 --runs 2 {BRIEF}", "modes"),
     "map": (f"sweep {HEXAGON} --grid alpha=0.2:0.6:3 --grid beta=0.1:0.9:2 {BRIEF}", "modes"),
     "refined": (f"sweep {HEXAGON} --grid alpha=0.2:0.6:3 --grid beta=0.1:0.9:3 --refine 1 {BRIEF}", "modes"),

@@ -42,13 +42,10 @@ std::vector<AttractorRow> attractors_of(const DiagramColumn& column, std::size_t
     return rows;
 }
 
-double coordinate_of(const Eigen::VectorXd& state, const std::string& observable) {
-    return state[place_of(observable, state.size())];
-}
-
 void write_samples(JsonWriter& json, const Attractor& attractor, const std::string& observable) {
+    const Eigen::Index place = attractor.states.empty() ? 0 : place_of(observable, attractor.states.front().size());
     json.begin_array();
-    for (const auto& z : attractor.states) json.value(coordinate_of(z, observable));
+    for (const auto& z : attractor.states) json.value(z[place]);
     json.end_array();
 }
 
@@ -106,8 +103,11 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
 
 Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram& diagram) {
     using F = Field<AttractorRow>;
-    const auto coordinate = [](const std::string& name) {
-        return [name](const AttractorRow& row) { return coordinate_of(*row.state, name); };
+    const auto coordinate = [](const std::string& name) {  // found once: there are a million rows
+        return [of_disk = place_of(name, 4), of_polygon = place_of(name, 5)](const AttractorRow& row) {
+            const Eigen::VectorXd& z = *row.state;
+            return z[z.size() == 4 ? of_disk : of_polygon];
+        };
     };
     const std::string& observable = options.observable;
     return table_of(
@@ -158,7 +158,7 @@ Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram
     const auto samples = [](JsonWriter& json, const Row& column) {
         json.begin_array();
         for (const auto& attractor : column.attractors)
-            for (const auto& z : attractor.states) json.value(coordinate_of(z, "S"));
+            for (const auto& z : attractor.states) json.value(z[z.size() - 1]);
         json.end_array();
     };
     const auto attractors = [table = attractor_table(options, diagram)](JsonWriter& json, const Row& column) {
@@ -245,6 +245,10 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     write_attributes(root.group("scene"), diagram_scene(options, diagram));
     write_attributes(root.group("settings"), diagram_settings(options, diagram));
     std::vector<AttractorRow> attractors, samples;
+    std::size_t count = 0;
+    for (const DiagramColumn& column : diagram.columns)
+        for (const AttractorRow& row : attractors_of(column, 0)) count += row.attractor->states.size();
+    samples.reserve(count);
     for (std::size_t c = 0; c < diagram.columns.size(); ++c)
         for (AttractorRow row : attractors_of(diagram.columns[c], c)) {
             attractors.push_back(row);

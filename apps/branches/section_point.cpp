@@ -8,9 +8,9 @@
 
 namespace swirl::apps {
 
-std::vector<std::string> coordinate_names(Eigen::Index size) {
-    if (size == 4) return {"psi", "vn", "vt", "S"};
-    return {"psi", "chi", "vn", "vt", "S"};
+const std::vector<std::string>& coordinate_names(Eigen::Index size) {
+    static const std::vector<std::string> of_disk{"psi", "vn", "vt", "S"}, of_polygon{"psi", "chi", "vn", "vt", "S"};
+    return size == 4 ? of_disk : of_polygon;
 }
 
 std::string units_of_coordinate(const std::string& name) {
@@ -19,19 +19,19 @@ std::string units_of_coordinate(const std::string& name) {
 }
 
 void write_coordinate_names(const RecordGroup& group, Eigen::Index size) {
-    const auto names = coordinate_names(size);
+    const auto& names = coordinate_names(size);
     group.dimension("coordinate", names.size());
     group.write_strings("coordinate", {"coordinate"}, names, {"", "coordinate of the section point", {}});
 }
 
 Eigen::Index place_of(const std::string& observable, Eigen::Index size) {
-    const auto names = coordinate_names(size);
+    const auto& names = coordinate_names(size);
     const auto found = std::find(names.begin(), names.end(), observable);
     return found == names.end() ? size - 1 : found - names.begin();
 }
 
 void write_point(JsonWriter& json, const Eigen::VectorXd& z) {
-    const auto names = coordinate_names(z.size());
+    const auto& names = coordinate_names(z.size());
     json.begin_object();
     for (Eigen::Index i = 0; i < z.size(); ++i) json.member(names[static_cast<std::size_t>(i)], z[i]);
     json.end_object();

@@ -21,7 +21,7 @@ void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinate
 /// An itinerary as a list of {vertex_step, contact_mode}.
 void write_itinerary(JsonWriter& json, const std::vector<std::int64_t>& itinerary);
 /// The names of a section point's coordinates; a disk's has four.
-std::vector<std::string> coordinate_names(Eigen::Index size);
+const std::vector<std::string>& coordinate_names(Eigen::Index size);
 /// The unit of one of them.
 std::string units_of_coordinate(const std::string& name);
 /// A group's dimension `coordinate`, with these names as its coordinate.

@@ -12,7 +12,7 @@ thread_local std::shared_ptr<Caller> current;
 
 void Caller::take_text(std::string_view text) {
     const std::lock_guard lock(mutex_);
-    text_ += text;
+    text_.emplace_back(text);
 }
 
 void Caller::take_message(const std::string& line) {
@@ -30,9 +30,9 @@ void Caller::at(double done) {
     if (task_) task_->done = done;
 }
 
-std::string Caller::text() const {
+std::vector<std::string> Caller::take_out_text() {
     const std::lock_guard lock(mutex_);
-    return text_;
+    return std::exchange(text_, {});
 }
 
 std::vector<std::string> Caller::messages() const {

@@ -34,15 +34,14 @@ public:
     bool is_finishing() const { return finishing_; }
     void set_finishing(bool finishing) { finishing_ = finishing; }
 
-    /// What the command has printed so far.
-    std::string text() const;
+    /// What the command has printed, piece by piece as it came: handed over, for it may be long.
+    std::vector<std::string> take_out_text();
     std::vector<std::string> messages() const;
     std::optional<Task> task() const;
 
 private:
     mutable std::mutex mutex_;
-    std::string text_;
-    std::vector<std::string> messages_;
+    std::vector<std::string> text_, messages_;
     std::optional<Task> task_;
     std::atomic<bool> stopped_ = false, finishing_ = false;
 };

@@ -113,6 +113,7 @@ void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows
             group.write_strings(field.name, field.dimensions, texts, field.description);
         } else if (field.type == ElementType::float64) {
             std::vector<double> numbers;
+            numbers.reserve(rows.size() * std::max<std::size_t>(1, field.row_length));
             for (const Row& row : rows) append_numbers(numbers, field.read(row), field.row_length);
             group.write<double>(field.name, field.dimensions, numbers, field.description);
         } else {

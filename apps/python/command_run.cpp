@@ -60,7 +60,7 @@ CommandResult run_command(const std::vector<std::string>& words, const Look& loo
     result.code = apps::exit_interrupted;
     if (!background.is_over) return result;
     result.code = shared->code;
-    result.text = caller->text();
+    result.text = caller->take_out_text();
     result.messages = caller->messages();
     result.failure = shared->failure;
     return result;

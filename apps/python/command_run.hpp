@@ -12,7 +12,7 @@ namespace swirl::python {
 
 struct CommandResult {
     int code = 0;                       ///< docs/command-line.md, "Exit codes"
-    std::string text;                   ///< that the command prints on standard output
+    std::vector<std::string> text;      ///< that the command prints on standard output, in pieces
     std::vector<std::string> messages;  ///< and on standard error
     std::string failure;                ///< its one line; empty: none
     std::exception_ptr raised;          ///< by a signal's handler or by `look`, which stopped it; none: nothing

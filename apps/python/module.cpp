@@ -14,6 +14,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,17 @@ namespace {
 namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// Copied once: documents may have tens of megabytes.
+py::bytes joined(const std::vector<std::string>& pieces) {
+    std::size_t size = 0;
+    for (const std::string& piece : pieces) size += piece.size();
+    PyObject* const whole = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size));
+    if (whole == nullptr) throw py::error_already_set();
+    char* place = PyBytes_AS_STRING(whole);
+    for (const std::string& piece : pieces) place = std::copy(piece.begin(), piece.end(), place);
+    return py::reinterpret_steal<py::bytes>(whole);
+}
+
 py::tuple run(const std::vector<std::string>& words, const py::object& progress) {
     Look look;
     if (!progress.is_none())
@@ -46,7 +58,7 @@ py::tuple run(const std::vector<std::string>& words, const py::object& progress)
             raised = error.value();
         }
     }
-    return py::make_tuple(result.code, py::bytes(result.text), result.messages, result.failure, raised);
+    return py::make_tuple(result.code, joined(result.text), result.messages, result.failure, raised);
 }
 
 py::list commands() {

@@ -69,7 +69,7 @@ struct ImpactFit {
     MomentumSigns signs;
     FittedNumber restitution, friction;
     FittedNumber inertia;  ///< k that was used; of a given one all three are that
-    FittedNumber balance;  ///< k by momentum alone
+    FittedNumber balance;  ///< k by momentum alone; high NaN: no upper end, as of inertia
     EnergyChange energy;
     bool friction_open = false;  ///< any μ above friction.low does: nothing slides to the end, value and high are NaN
     std::size_t best = 0;        ///< of `laws`

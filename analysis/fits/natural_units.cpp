@@ -176,6 +176,12 @@ FittedNumber interval_of(double value, const std::vector<Resample>& resamples, d
     return {value, std::min(value, quantile(values, 0.025)), std::max(value, quantile(values, 0.975))};
 }
 
+/// k is a moment of inertia per mass, so some tenths of the offsets' r², which are 1 in natural units.
+bool is_absurd(double inertia) {
+    constexpr double most = 1e6;
+    return !(inertia > 1 / most && inertia < most);
+}
+
 void bootstrap(ImpactFit& fit, const LawProblem& problem, Laws laws, const ImpactFitSettings& settings) {
     std::vector<Resample> resamples(settings.resamples);
     on_threads(settings.threads, [&] {
@@ -188,6 +194,7 @@ void bootstrap(ImpactFit& fit, const LawProblem& problem, Laws laws, const Impac
     fit.balance = interval_of(
         settings.inertia ? fit_inertia(fit.impacts, problem.weights, problem.inertia).inertia : problem.inertia,
         resamples, &Resample::balance);
+    if (is_absurd(fit.balance.high)) fit.balance.high = nan;  // friction turns too little in some resamples
     fit.inertia = settings.inertia ? FittedNumber{problem.inertia, problem.inertia, problem.inertia} : fit.balance;
 }
 
@@ -235,12 +242,6 @@ void profile_both(ImpactFit& fit, const LawProblem& problem) {
     const double mu_room = fit.friction_open ? mu_low : 2 * (fit.friction.high - mu_low) + 1e-6;
     const double mu_high = fit.friction_open ? 3 * mu_low + 0.1 : fit.friction.high + mu_room;
     fit.friction_profile = profile_of(problem, fit, std::max(0.0, mu_low - mu_room), mu_high, true);
-}
-
-/// k is a moment of inertia per mass, so some tenths of the offsets' r², which are 1 in natural units.
-bool is_absurd(double inertia) {
-    constexpr double most = 1e6;
-    return !(inertia > 1 / most && inertia < most);
 }
 
 bool is_known(const ImpactFit& fit) {

@@ -108,6 +108,25 @@ std::vector<Row> distinct_rows(const std::vector<analysis::FilmFrame>& fall) {
     return rows;
 }
 
+/// Two films of one fall, written with other digits, from another origin or with other whole turns: what is between
+/// them is the same in all rows, to half a hundredth of how far the body moves, which no launcher repeats through
+/// impacts.
+bool are_one_motion(const std::vector<analysis::FilmFrame>& a, const std::vector<analysis::FilmFrame>& b) {
+    constexpr double alike = 5e-3;
+    if (a.size() != b.size()) return false;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        double low = analysis::infinity, high = -low, least = analysis::infinity, most = -least;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const double place = a[i].place[axis], apart = b[i].place[axis] - place;
+            if (std::isnan(apart)) continue;
+            low = std::min(low, place), high = std::max(high, place);
+            least = std::min(least, apart), most = std::max(most, apart);
+        }
+        if (!(most - least <= alike * (high - low))) return false;
+    }
+    return true;
+}
+
 /// A fall that is counted twice makes intervals too short; some rows are alike by chance where digits are few.
 /// O(files × rows).
 void require_no_fall_twice(const std::vector<std::string>& files,
@@ -126,6 +145,9 @@ void require_no_fall_twice(const std::vector<std::string>& files,
             if (common.size() > std::max(by_chance, fewer / tenth))
                 throw BadInput(fmt::format("falls '{}' and '{}' have {} rows in common; each fall counts once",
                                            files[j], files[i], common.size()));
+            if (are_one_motion(falls[i], falls[j]))
+                throw BadInput(fmt::format("falls '{}' and '{}' are one motion, row by row; each fall counts once",
+                                           files[j], files[i]));
         }
 }
 
@@ -165,6 +187,7 @@ FallenBodies read_falls(FilmOptions& film, const FallsOptions& options) {
     for (const std::string& file : options.files) {
         SeriesChoice series = film.series;
         series.file = file;
+        series.shows_down = true;
         const BodyTrack track = track_in(series, film.angle);
         read.falls.push_back(frames_of(track, series.scale));
         if (read.falls.back().size() < analysis::fewest_frames)

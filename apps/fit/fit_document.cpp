@@ -119,6 +119,8 @@ Settings momentum_of(const ImpactFit& fit) {
 
 std::string interval_in_words(const FittedNumber& number) {
     if (std::isnan(number.value)) return fmt::format("above {:.4g}", number.low);
+    if (std::isnan(number.high) && !std::isnan(number.low))
+        return fmt::format("{:<12.5g} [{:.5g}, no upper end]", number.value, number.low);
     return fmt::format("{:<12.5g} [{:.5g}, {:.5g}]", number.value, number.low, number.high);
 }
 

@@ -6,7 +6,9 @@
 #include "map/model/scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -54,10 +56,20 @@ std::string another_gravity_in_words(const studies::FallsFit& falls, double give
                        radius * falls.gravity_of_arcs, radius * falls.gravity_of_arcs_error, given);
 }
 
+std::string why_no_law(const studies::FallsFit& falls) {
+    using Outcome = analysis::ImpactFitOutcome;
+    const std::size_t impacts = falls.count(KinkUse::used);
+    if (falls.fit.outcome == Outcome::gains_energy) return risen_energy(falls.fit);
+    if (falls.fit.outcome == Outcome::no_inertia || falls.fit.outcome == Outcome::inertia_absurd)
+        return fmt::format(
+            "{} impacts hardly change the spin, so that momentum does not tell I/m; give --inertia-factor K", impacts);
+    return fmt::format("no law could be fitted to {} impacts", impacts);
+}
+
 void require_fitted(const FallsReport& report) {
     const studies::FallsFit& falls = report.falls;
     const double radius = report.source.body.radius;
-    const auto count = [&](KinkUse use) { return falls.counts[static_cast<std::size_t>(use)]; };
+    const auto count = [&](KinkUse use) { return falls.count(use); };
     const auto refuse = [&](const std::string& why) {
         throw BadInput(fmt::format("falls: {} frames on {} arcs: {}", falls.arcs.frames, falls.arcs.arcs.size(), why));
     };
@@ -106,8 +118,7 @@ void require_fitted(const FallsReport& report) {
                 count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall)));
             break;
         case FallsFitOutcome::no_law:
-            if (falls.fit.outcome == analysis::ImpactFitOutcome::gains_energy) refuse(risen_energy(falls.fit));
-            refuse(fmt::format("no law could be fitted to {} impacts", count(KinkUse::used)));
+            refuse(why_no_law(falls));
             break;
     }
 }
@@ -116,7 +127,7 @@ void require_fitted(const FallsReport& report) {
 void note_inertia(std::vector<std::string>& notes, const FallsReport& report) {
     const double uniform = report.source.body.inertia;
     const analysis::FittedNumber& found = report.falls.fit.inertia;
-    if (report.source.body.inertia_known || (uniform >= found.low && uniform <= found.high)) return;
+    if (report.source.body.inertia_known || (uniform >= found.low && !(uniform > found.high))) return;
     notes.push_back(fmt::format(
         "momentum alone tells I/m = {:.4g} [{:.4g}, {:.4g}], {:.3g} times that of a uniform body of this size, {:.4g}: "
         "e and mu are those with the former; --inertia-factor gives another",
@@ -145,6 +156,42 @@ void note_given(std::vector<std::string>& notes, const FallsReport& report) {
             "the angle is taken in the other sense: as it was given momentum contradicts it (it was measured "
             "clockwise, "
             "or the places are mirrored, as of a camera behind the plate)");
+}
+
+std::string files_in_words(const std::vector<std::string>& files) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> quoted;
+    for (std::size_t i = 0; i < std::min(most, files.size()); ++i) quoted.push_back(fmt::format("'{}'", files[i]));
+    return fmt::format("{}{}", fmt::join(quoted, ", "),
+                       files.size() > most ? fmt::format(" and {} more", files.size() - most) : "");
+}
+
+/// Single falls that contradict the others. @throws BadInput for one that runs backwards
+void note_single_falls(std::vector<std::string>& notes, const FallsReport& report,
+                       const std::vector<std::string>& files) {
+    std::vector<std::string> rising, elsewhere;
+    std::size_t rises = 0;
+    const std::vector<studies::FallEvidence> evidence = studies::evidence_of(report.falls);
+    for (std::size_t k = 0; k < evidence.size(); ++k) {
+        if (evidence[k].is_backward())
+            throw BadInput(
+                fmt::format("falls '{}': energy surely rises at all of its {} impacts, and no wall adds any: time runs "
+                            "backwards in it",
+                            files[k], evidence[k].used));
+        rises += evidence[k].rising;
+        if (evidence[k].rising > 0) rising.push_back(files[k]);
+        if (evidence[k].is_elsewhere()) elsewhere.push_back(files[k]);
+    }
+    if (!rising.empty())
+        notes.push_back(
+            fmt::format("energy surely rises at {} impact{} ({}), and no wall adds any: time runs backwards "
+                        "there, or errors are larger than is seen",
+                        rises, rises == 1 ? "" : "s", files_in_words(rising)));
+    if (!elsewhere.empty())
+        notes.push_back(fmt::format(
+            "no impact of {} is on the plate that the other falls show: its lengths, axes, angle or clock may "
+            "not be theirs",
+            files_in_words(elsewhere)));
 }
 
 void note_left_out(std::vector<std::string>& notes, const studies::FallsFit& falls) {
@@ -180,6 +227,7 @@ FitReport fit_of_falls(FilmOptions& film, const FallsOptions& options, const ana
     note_size(report.notes, falls);
     note_inertia(report.notes, falls);
     note_given(report.notes, falls);
+    note_single_falls(report.notes, falls, options.files);
     note_left_out(report.notes, falls.falls);
     report.settings = {{"columns", film.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},

@@ -61,7 +61,7 @@ std::string risen_energy(const analysis::ImpactFit& fit) {
 
 bool contradicts_momentum(const analysis::ImpactFit& fit, bool stated) {
     const double k = fit.inertia.value;
-    if (k >= fit.balance.low && k <= fit.balance.high) return false;
+    if (k >= fit.balance.low && !(k > fit.balance.high)) return false;
     if (!stated) return true;
     constexpr double wider = 1.1;
     const std::vector<double> once(fit.impacts.size(), 1.0);
@@ -76,6 +76,11 @@ std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTa
     if (k == fit.inertia.low && k == fit.inertia.high && contradicts_momentum(fit, table.has_errors))
         notes.push_back(fmt::format("momentum contradicts inertia = {:g}: it alone gives {:.4g} [{:.4g}, {:.4g}]", k,
                                     fit.balance.value, fit.balance.low, fit.balance.high));
+    if (std::isnan(fit.inertia.high) && !std::isnan(fit.inertia.low))
+        notes.push_back(fmt::format(
+            "I/m can hardly be told: impacts change the spin by little more than its noise, and any I/m above "
+            "{:.4g} explains some resamples; give it",
+            fit.inertia.low));
     if (fit.friction_open)
         notes.push_back(fmt::format(
             "friction can't be told: the contacts stick, and any mu above {:.3g} predicts the same", fit.friction.low));

@@ -103,7 +103,7 @@ bool are_pixels(const DelimitedFile& file, std::size_t x, const Box& box) {
 /// Of what turns: is it seen from above, or in an image whose y points down?
 void note_pixels(const DelimitedFile& file, const SeriesChoice& choice, const SeriesColumns& columns,
                  const Columns& raw, MeasuredSeries& series) {
-    if (choice.y_down) return;
+    if (choice.y_down || choice.shows_down) return;
     std::size_t x = 0;
     Box box;
     if (raw.size() > 1) {

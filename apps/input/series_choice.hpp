@@ -46,6 +46,7 @@ struct SeriesChoice {
     bool fits_origin = false;          ///< it is the centre of the circle fitted to the points
     double scale = 1;                  ///< lengths are multiplied by it
     bool y_down = false;               ///< y points down, as in images: the sense of turns is the other one
+    bool shows_down = false;           ///< the motion itself shows where y points (bodies fall): no note says it
     std::optional<double> likelihood;  ///< a point that its tracker is less sure of is a gap
 
     std::vector<std::string> where;           ///< COLUMN=VALUE: the rows that are read

@@ -200,9 +200,11 @@ std::optional<Plate> plate_without_mark(const DividedFalls& divided, const analy
     const auto off = [&scene](const Plate& plate) {
         return std::abs(std::remainder(plate.mark - *scene.mark, 2 * pi<double>() / scene.sides));
     };
-    const auto nearest = std::min_element(plates.begin(), plates.end(),
-                                          [&off](const Plate& a, const Plate& b) { return off(a) < off(b); });
+    auto nearest = std::min_element(plates.begin(), plates.end(),
+                                    [&off](const Plate& a, const Plate& b) { return off(a) < off(b); });
     if (nearest == plates.end()) return std::nullopt;
+    const double period = 2 * pi<double>() / scene.sides;
+    nearest->mark = *scene.mark + std::remainder(nearest->mark - *scene.mark, period);  // of all vertices the nearest
     return *nearest;
 }
 
@@ -320,7 +322,7 @@ FallsDivisions divided_falls(const FallsInARow& film, double period, const Falle
 std::optional<OtherFall> other_fall(const std::vector<FallFrames>& falls, double period, const FallenBody& body,
                                     const FallsSetting& setting) {
     constexpr std::size_t fewest = 3;
-    constexpr double apart = 2;
+    constexpr double apart = 1.3;
     const analysis::FallSettings known = fall_settings(setting, body.radius);
     std::vector<OtherFall> told;
     std::vector<double> values;
@@ -337,7 +339,19 @@ std::optional<OtherFall> other_fall(const std::vector<FallFrames>& falls, double
     for (OtherFall& fall : told) {
         fall.usual = usual;
         const double share = fall.gravity / usual;
-        if (!(share > 1 / apart && share < apart)) return fall;
+        if (share > 1 / apart && share < apart) continue;
+        const FallsInARow alone = in_a_row({falls[fall.number]}, body.radius);
+        const auto divided_by = [&](double gravity) {
+            const analysis::UniformFall by{{0, -gravity / body.radius}, alone.frames.front().time};
+            return analysis::fit_arcs(alone.frames, period, {{}, {}, known.least_noise, by});
+        };
+        const analysis::FilmArcs own = divided_by(fall.gravity), common = divided_by(usual);
+        const double noise = std::min(own.place_noise, common.place_noise);
+        const double angle_noise = std::min(own.angle_noise, common.angle_noise);
+        const auto cost = [&](const analysis::FilmArcs& arcs) {
+            return analysis::cost_of_division(arcs, noise, angle_noise);
+        };
+        if (cost(own) + analysis::cost_of_arc < cost(common)) return fall;
     }
     return std::nullopt;
 }

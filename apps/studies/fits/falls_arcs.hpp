@@ -103,9 +103,10 @@ struct FallsDivisions {
 FallsDivisions divided_falls(const FallsInARow& film, double period, const FallenBody& body,
                              const FallsSetting& setting, bool looks_for_body);
 
-/// The first fall, in the given order, that alone bends by less than half or more than twice what the falls do in the
-/// median, or the other way: in other lengths, by another clock, or with another axis. Told by its frames alone, of
-/// falls that tell it. Nothing with fewer than 3 that do. O(frames log frames).
+/// The first fall, in the given order, that alone bends otherwise than the falls do in the median, by 30 % or the other
+/// way, and of which the frames cost less (by an arc, analysis::cost_of_division) with its own gravity than with the
+/// common one: in other lengths, by another clock, or with another axis. Nothing with fewer than 3 falls that tell it.
+/// O(frames log frames).
 struct OtherFall {
     std::size_t number = 0;
     double gravity = 0, usual = 0;  ///< along −y, in the caller's lengths

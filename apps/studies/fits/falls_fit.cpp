@@ -98,6 +98,7 @@ struct Impacts {
 
 struct LawOfFalls {
     analysis::ImpactFit fit;
+    std::vector<bool> rises;
     FittedGroups groups;
     bool by_falls = false;
 };
@@ -129,6 +130,8 @@ LawOfFalls fit_law(const DividedFalls& falls, const Impacts& used, const FilmedS
     };
     const std::vector<double> once(impacts.size(), 1.0);
     law.fit = analysis::fit_impacts(analysis::merged_impacts(impacts, once, groups).impacts, impact_laws(), settings);
+    for (const analysis::MeasuredImpact& impact : impacts)
+        law.rises.push_back(analysis::energy_change({&impact, 1}, law.fit.inertia.value).rises > 0);
     return law;
 }
 
@@ -185,14 +188,15 @@ FallsFitOutcome body_outcome(const FallsFit& falls, const FallenBody& body) {
     const double most_mark = is_round ? most_round_mark_error : most_mark_error;
     if (has_another_mark(falls, body, is_fitted ? most_mark : least_mark_error)) return FallsFitOutcome::another_mark;
     if (falls.shape) return FallsFitOutcome::another_shape;
-    const double most_size = is_round ? most_round_size_error : most_fallen_size_error;
-    return has_another_size(falls, is_fitted ? most_size : least_fallen_size_error) ? FallsFitOutcome::another_size
-                                                                                    : falls.outcome;
+    double least = is_round ? most_round_size_error : most_fallen_size_error;
+    if (!is_fitted && !is_round) least = least_fallen_size_error;
+    return has_another_size(falls, least) ? FallsFitOutcome::another_size : falls.outcome;
 }
 
 void fit_divided(FallsFit& falls, const FallenBody& body, const analysis::ImpactFitSettings& settings) {
     LawOfFalls law = fit_law(falls, used_impacts(falls), scene_of(body), body, settings);
     falls.fit = std::move(law.fit);
+    falls.rises = std::move(law.rises);
     falls.thinned = law.groups.thinned, falls.alike = law.groups.alike, falls.by_falls = law.by_falls;
     if (falls.fit.outcome != analysis::ImpactFitOutcome::fitted) falls.outcome = FallsFitOutcome::no_law;
 }
@@ -257,6 +261,23 @@ void add_noisier(FallsFit& falls, const FallsInARow& film, double period, const 
 }
 
 }  // namespace
+
+std::vector<FallEvidence> evidence_of(const FallsFit& falls) {
+    std::vector<FallEvidence> evidence(falls.order.size());
+    const std::vector<bool> free = analysis::falling_arcs(falls.arcs);
+    std::size_t used = 0;
+    for (const FilmImpact& found : falls.impacts) {
+        FallEvidence& of_fall = evidence[falls.fall_at(found.kink.time)];
+        if (found.use == KinkUse::used) {
+            ++of_fall.used;
+            if (used < falls.rises.size() && falls.rises[used]) ++of_fall.rising;
+            ++used;
+        }
+        if (found.use == KinkUse::off_the_wall && free[found.kink.before] && free[found.kink.before + 1])
+            ++of_fall.contradicting;
+    }
+    return evidence;
+}
 
 bool has_another_size(const FallsFit& falls, double least) {
     constexpr double surely = 5;  // standard errors

@@ -31,7 +31,21 @@ struct FallsFit : DividedFalls {
     /// law.
     double predicted_in_scatter = analysis::nan;
     analysis::ImpactFit fit;  ///< in the caller's lengths
+    std::vector<bool> rises;  ///< of each used impact: it surely adds energy (analysis::energy_change)
 };
+
+/// What of one fall is fitted, and what speaks against it.
+struct FallEvidence {
+    std::size_t used = 0, rising = 0;  ///< impacts, and of them those that surely add energy
+    std::size_t contradicting = 0;     ///< kinks off the plate between arcs that fall
+
+    /// Time runs the other way in it: energy surely rises at all of its impacts, two or more.
+    bool is_backward() const { return used >= 2 && rising == used; }
+    /// None of its impacts is on the plate that the others show, and several are off it.
+    bool is_elsewhere() const { return used == 0 && contradicting > 1; }
+};
+/// Of each fall, in the given order.
+std::vector<FallEvidence> evidence_of(const FallsFit& falls);
 
 /// The body has surely (5 errors) another size than the given one, by `least` of it or more.
 bool has_another_size(const FallsFit& falls, double least);
@@ -46,7 +60,7 @@ inline constexpr double most_round_size_error = 0.3;
 /// Free arcs tell surely (5 errors) another gravity than the given one, by `least` of it or more.
 bool has_another_gravity(const FallsFit& falls, const FallsSetting& setting, double radius, double least);
 /// Of gravity: what a local one differs by.
-inline constexpr double least_gravity_error = 0.005;
+inline constexpr double least_gravity_error = 0.002;
 /// Of gravity: velocities at the ends of arcs of 0.1 s are off by some 5 cm/s of 1.5 m/s.
 inline constexpr double most_gravity_error = 0.05;
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -52,8 +53,12 @@ struct BodyOnPlate {
     std::size_t kinks = 0;
     Plate plate;
 
-    /// Vertices are points that lie on the plate, as far as can be seen.
-    bool is_sharp() const { return scatter < 2 * expected; }
+    /// Vertices are points that lie on the plate, as far as can be seen: plate and size are fitted to few kinks.
+    bool is_sharp() const {
+        constexpr double fitted = 4;
+        const double n = static_cast<double>(kinks);
+        return n > fitted && scatter * std::sqrt(n / (n - fitted)) < 1.5 * expected;
+    }
 };
 
 /// The plate and the body's size with which vertices lie on the plate at the kinks: the centre is higher there, the

@@ -145,8 +145,9 @@ class Truth(WithFalls, InFolder):
                                -1e4 * (math.cos(TILT) + math.sin(TILT)), delta=30)  # its tilt is known to 0.003
 
     def test_an_angle_in_the_other_sense(self):
-        files = self.written(8, name="sense").split()
-        for k, change in enumerate((lambda x, y, angle: (-x, y, angle), lambda x, y, angle: (x, y, -angle))):
+        files = self.written(6, name="sense").split()
+        for k, change in enumerate(sized([lambda x, y, angle: (-x, y, angle), lambda x, y, angle: (x, y, -angle)],
+                                         [lambda x, y, angle: (-x, y, angle)])):
             mirrored = []
             for path in files:
                 rows = [tuple(map(float, line.split(","))) for line in Path(path).read_text().splitlines()[1:]]
@@ -252,6 +253,10 @@ class WrongInput(WithFalls, Refusing):
         for path, count in ((same, 125), (part, 60), (other, 124)):
             self.refused(f"fit --falls {' '.join(files)} {path} {FLAGS}",
                          f"'{files[1]}' and '{path}' have {count} rows in common; each fall counts once")
+        for change in (lambda i, x, y, angle: (round(x, 4), round(y, 4), round(angle, 3)),
+                       lambda i, x, y, angle: (x - 0.01, y, angle + 2 * math.pi)):
+            other = self.rewritten(files[1], change)
+            self.refused(f"fit --falls {' '.join(files)} {other} {FLAGS}", f"'{files[1]}' and '{other}' are one motion")
         again = Path(self.written(9, name="own").split()[-1]).read_text().splitlines()
         own.write_text("\n".join(again[:4] + rows[4:7] + again[7:]) + "\n")  # three alike, by chance
         self.assertNotIn("counts once", run(f"fit --falls {' '.join(files)} {own} {FLAGS}").stderr)
@@ -268,18 +273,25 @@ class WrongInput(WithFalls, Refusing):
         for change in (lambda i, x, y, angle: (1000 * x, 1000 * y, angle), lambda i, x, y, angle: (x, 0.2 - y, -angle)):
             other = self.rewritten(files[1], change)
             self.refused(f"fit --falls {files[0]} {other} {files[2]} {files[3]} {FLAGS}", f"falls '{other}' fall by ")
+        coarse = []  # right ones, of which few frames tell their own gravity
+        for path in self.written(5, name="coarse").split():
+            rows = Path(path).read_text().splitlines()
+            coarse.append(self.other / f"few{len(coarse)}.csv")
+            coarse[-1].write_text("\n".join(rows[:1] + rows[1::4]) + "\n")
+        said = run(f"fit --falls {' '.join(map(str, coarse))} {FLAGS.replace(str(FPS), str(FPS / 4))} {FEW}").stderr
+        self.assertNotIn("fall by", said)
         half = self.other / "half.csv"  # every other row
         rows = Path(files[1]).read_text().splitlines()
         half.write_text("\n".join(rows[:1] + rows[1::2]) + "\n")
         self.refused(f"fit --falls {files[0]} {half} {files[2]} {files[3]} {FLAGS}", f"falls '{half}' fall by ")
 
     def test_what_is_given_is_what_the_falls_show(self):
-        files = self.written(8, name="given")
-        for flag, mention in (("--gravity 98", "tell a gravity of 9."), ("--gravity 12", "--gravity says 12"),
-                              ("--gravity 4.9", "tell a gravity of 9."), ("--vertex 0.5", "rad from --vertex 0.5")):
+        files = self.written(6, name="given")
+        for flag, mention in (("--gravity 98", "tell a gravity of 9."), ("--gravity 10.5", "--gravity says 10.5"),
+                              ("--vertex 0.5", "rad from --vertex 0.5")):
             self.refused(f"fit --falls {files} {FLAGS} {FEW} {flag}", mention)
         found = document(f"fit --falls {files} {FLAGS} {FEW} --vertex {5 * math.pi}")  # as good as 0
-        self.assertAlmostEqual(found["falls"]["vertex_of_impacts"], 0, delta=0.01)
+        self.assertAlmostEqual(found["falls"]["vertex_of_impacts"], 5 * math.pi, delta=0.01)
         found = document(f"fit --falls {files} {FLAGS} {FEW} --gravity 9.65")
         self.assertAlmostEqual(found["falls"]["gravity_of_arcs"], GRAVITY, delta=0.05)
         self.assertTrue(any("--gravity says 9.65" in note for note in found["notes"]), found["notes"])
@@ -291,6 +303,24 @@ class WrongInput(WithFalls, Refusing):
             turned.append(self.other / f"turned{len(turned)}.csv")
             turned[-1].write_text("\n".join(rows[:1] + rows[:0:-1]) + "\n")
         self.refused(f"fit --falls {' '.join(map(str, turned))} {FLAGS} {FEW}", "time runs backwards")
+        files = self.written(8, name="back").split()  # the seeds' impacts that can be used: 1 to 5 a fall
+        used = [k["fall"] for k in self.kinks_of(files) if k["use"] == "used"]
+        most = max(set(used), key=used.count)
+        self.assertGreater(used.count(most), 2)
+        one = files[:most] + [str(turned[most])] + files[most + 1:]
+        self.refused(f"fit --falls {' '.join(one)} {FLAGS} {FEW}", f"falls '{turned[most]}': energy surely rises at all of its")
+
+    def kinks_of(self, files):
+        run(f"fit --falls {' '.join(files)} {FLAGS} {FEW} -o {self.other}/kinks.h5 --force", check=True)
+        with h5py.File(self.other / "kinks.h5") as record:
+            return [{"fall": int(fall), "use": use.decode() if isinstance(use, bytes) else str(use)}
+                    for fall, use in zip(record["kinks/fall"][()], record["kinks/use"].asstr()[()])]
+
+    def test_a_fall_that_is_elsewhere_is_noted(self):
+        files = self.written(8, name="place").split()
+        files[2] = self.rewritten(files[2], lambda i, x, y, angle: (x, y + 0.01, angle))
+        notes = document(f"fit --falls {' '.join(files)} {FLAGS} {FEW}")["notes"]
+        self.assertTrue(any(f"no impact of '{files[2]}' is on the plate" in note for note in notes), notes)
 
     def test_falls_that_no_law_fits(self):
         still = self.other / "still.csv"

@@ -330,6 +330,15 @@ TEST(Falls, TellTheBodysSizeAndSides) {
     }
 }
 
+TEST(Falls, FewKinksHideHowRoundCornersAre) {
+    BodyOnPlate body;
+    body.expected = 1, body.scatter = 1.3;
+    for (const auto& [kinks, is_sharp] : {std::pair{4, false}, {8, false}, {50, true}}) {
+        body.kinks = static_cast<std::size_t>(kinks);
+        EXPECT_EQ(body.is_sharp(), is_sharp) << kinks;  // 1.3 sqrt(8/4) > 1.5
+    }
+}
+
 /// Errors of (before, after, offset) of all impacts that are used, in units of those that are stated.
 struct StatedErrors {
     std::size_t impacts = 0, others = 0;  ///< others: no one impact was there

@@ -57,6 +57,7 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const N
     if (scaled.size() < fewest_impacts)
         refuse("usable impacts", static_cast<double>(scaled.size()), std::to_string(fewest_impacts) + " or more");
     std::vector<double> squares;
+    squares.reserve(scaled.size());
     for (const MeasuredImpact& impact : scaled) squares.push_back(impact.offset.squaredNorm());
     ImpactFit fit;
     if (quantile(std::move(squares), 0.5) > 0) {

@@ -172,6 +172,7 @@ Resample fit_resample(const ImpactFit& fit, const LawProblem& problem, Laws laws
 
 FittedNumber interval_of(double value, const std::vector<Resample>& resamples, double Resample::*number) {
     std::vector<double> values;
+    values.reserve(resamples.size());
     for (const Resample& resample : resamples) values.push_back(resample.*number);
     return {value, std::min(value, quantile(values, 0.025)), std::max(value, quantile(values, 0.975))};
 }

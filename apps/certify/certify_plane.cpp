@@ -62,6 +62,7 @@ Table<PlaneCell> cell_table(const Plane& plane) {
         };
     };
     std::vector<std::string> names;
+    names.reserve(std::size(doubts));
     for (const Doubt doubt : doubts) names.emplace_back(name_of(doubt));
     const auto doubt = [](const PlaneCell& cell) { return std::string(name_of(cell.doubt)); };
     return {

@@ -133,6 +133,7 @@ void require_no_fall_twice(const std::vector<std::string>& files,
                            const std::vector<std::vector<analysis::FilmFrame>>& falls) {
     constexpr std::size_t by_chance = 3, tenth = 10;
     std::vector<std::vector<Row>> rows;
+    rows.reserve(falls.size());
     for (const auto& fall : falls) rows.push_back(distinct_rows(fall));
     for (std::size_t i = 0; i < falls.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {

@@ -131,10 +131,9 @@ std::string inertia_in_words(const FitReport& report) {
         return interval_in_words(fit.inertia) +
                (report.falls ? fmt::format(" by momentum; {:.5g} of a uniform body", report.falls->source.body.inertia)
                              : "");
-    const std::string given = fmt::format("{:<12.6g} given", fit.inertia.value);
-    if (!report.falls) return given;
-    return given + fmt::format("; momentum alone tells {:.5g} [{:.5g}, {:.5g}]", fit.balance.value, fit.balance.low,
-                               fit.balance.high);
+    std::string given = fmt::format("{:<12.6g} given", fit.inertia.value);
+    if (report.falls) given += "; momentum alone tells " + interval_in_words(fit.balance);
+    return given;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ bool is_before(const FallFrames& a, const FallFrames& b) {
         const double ones[] = {one.time, one.place[0], one.place[1], one.place[2]};
         const double others[] = {other.time, other.place[0], other.place[1], other.place[2]};
         for (std::size_t k = 0; k < 4; ++k)
-            if (const auto order = std::strong_order(ones[k], others[k]); order != 0) return order < 0;
+            if (const auto order = std::strong_order(ones[k], others[k]); std::is_neq(order)) return std::is_lt(order);
         return false;
     };
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), frame_is_before);
@@ -140,11 +140,13 @@ DividedFalls by_pieces(const DividedFalls& divided, std::size_t longest, const F
     return falls;
 }
 
-/// The finer division and the longer pieces where the others do not give a tenth more.
+/// The finer division and the longer pieces where the others do not give a tenth more impacts, and as much more merit:
+/// where noise divides well a coarser division only misses small impacts.
 bool is_better(const DividedFalls& coarser, const DividedFalls& finer) {
     constexpr double better = 0.1;
     const double merit = merit_of(finer);
-    return merit_of(coarser) > merit + better * std::abs(merit);
+    const auto used = [](const DividedFalls& falls) { return static_cast<double>(falls.count(KinkUse::used)); };
+    return merit_of(coarser) > merit + better * std::abs(merit) && used(coarser) > (1 + better) * used(finer);
 }
 
 /// Frames are off their arcs by more than the tracker's noise is.

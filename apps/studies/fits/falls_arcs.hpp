@@ -96,9 +96,9 @@ struct FallsDivisions {
 
 /// Arcs of bodies that fall bend by more than a tracker's noise from frame to frame, for reasons that no model has: a
 /// centre that is not quite the tracked one wobbles with the spin, lenses bend, a guide rubs. The division is that of a
-/// noise so many times as large, and the pieces of arcs are so long, that the merit is largest, of those whose frames
-/// are within twice the tracker's own noise; the finer division and the longer pieces where the others do not give a
-/// tenth more. Where no gravity is found, or one along +y, that is all that is returned.
+/// noise so many times as large, and the pieces of arcs are so long, that impacts and merit are largest, of those whose
+/// frames are within twice the tracker's own noise; the finer division and the longer pieces where the others do not
+/// give a tenth more. Where no gravity is found, or one along +y, that is all that is returned.
 ///   looks_for_body  its size and sides are told, too
 FallsDivisions divided_falls(const FallsInARow& film, double period, const FallenBody& body,
                              const FallsSetting& setting, bool looks_for_body);

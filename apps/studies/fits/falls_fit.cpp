@@ -46,6 +46,7 @@ std::vector<double> drawn_kinks(const std::vector<std::size_t>& fall_of, bool by
         if (shown.empty() || shown.back() != fall) shown.push_back(fall);
     const std::vector<double> drawn = analysis::bootstrap_weights(shown.size(), seed, index);
     std::vector<double> weights;
+    weights.reserve(fall_of.size());
     for (const std::size_t fall : fall_of)
         weights.push_back(
             drawn[static_cast<std::size_t>(std::lower_bound(shown.begin(), shown.end(), fall) - shown.begin())]);

@@ -83,6 +83,7 @@ Plate first_plate(Kinks all, const FilmedScene& body) {
     for (int j = 0; j < (has_mark ? 1 : marks); ++j) {
         const double mark = body.mark.value_or(has_mark ? 0 : 2 * pi<double>() / body.sides * j / marks);
         std::vector<Vector2d> vertices;
+        vertices.reserve(kinks.size());
         for (const Kink& kink : kinks) vertices.push_back(lowest_vertex(body, mark, kink.place));
         const auto look = [&](const Vector2d& a, const Vector2d& b) {
             const Plate plate = plate_through(a, b, mark);
@@ -281,6 +282,7 @@ SizedPlate first_sized_plate(Kinks all, const FilmedScene& body) {
     const std::vector<Kink> kinks = some_kinks(all, most);
     const std::size_t count = kinks.size();
     std::vector<double> marks;
+    marks.reserve(grid);
     for (int j = 0; j < grid; ++j) marks.push_back(2 * pi<double>() / body.sides * j / grid);
     if (body.mark) marks = {*body.mark};
     SizedPlate best;

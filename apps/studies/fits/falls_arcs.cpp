@@ -315,6 +315,8 @@ FallsDivisions divided_falls(const FallsInARow& film, double period, const Falle
         if (!is_bent(other, finest.place_noise) && is_better(other, divisions.best)) std::swap(other, divisions.best);
         if (other.outcome == FallsFitOutcome::fitted) divisions.others.push_back(std::move(other));
     }
+    std::sort(divisions.others.begin(), divisions.others.end(),
+              [](const DividedFalls& a, const DividedFalls& b) { return a.division < b.division; });
     if (!looks_for_body) return divisions;
     divisions.best.body = shown.body, divisions.best.shape = nearer_shape(shown.arcs, scene);
     if (scene.mark) divisions.best.unmarked = plate_without_mark(divisions.best, shown.arcs, scene);

@@ -36,7 +36,7 @@ enum class ImpactFitOutcome {
     no_offsets,      ///< r = 0 at most of the impacts: an impulse turns nothing, and friction shows nowhere
     no_inertia,      ///< the spin does not change, so that momentum does not tell k
     receding,        ///< at most of the impacts the contact moves away from the wall before, or into it after
-    gains_energy,    ///< at most of the impacts energy surely rises (energy_change), which no impact at rest does
+    gains_energy,    ///< energy surely rises at more than half of the impacts (energy_change): no wall adds any
     inertia_absurd,  ///< the given k, or that of momentum, is not within 10^±6 of the offsets' median r²
     not_fitted       ///< noise, scale or loss is no number
 };

@@ -247,7 +247,7 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     std::vector<AttractorRow> attractors, samples;
     std::size_t count = 0;
     for (const DiagramColumn& column : diagram.columns)
-        for (const AttractorRow& row : attractors_of(column, 0)) count += row.attractor->states.size();
+        for (const Attractor& attractor : column.attractors) count += attractor.states.size();
     samples.reserve(count);
     for (std::size_t c = 0; c < diagram.columns.size(); ++c)
         for (AttractorRow row : attractors_of(diagram.columns[c], c)) {

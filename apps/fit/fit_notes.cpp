@@ -53,9 +53,9 @@ void note_constancy(std::vector<std::string>& notes, const analysis::ImpactFit& 
 
 std::string risen_energy(const analysis::ImpactFit& fit) {
     return fmt::format(
-        "energy surely rises at {} of {} impacts, in the median {:.3g} times, and no wall adds any to a body that "
-        "moves "
-        "past it: what is called before was after, or time runs backwards",
+        "energy in the wall's frame surely rises at {} of {} impacts, in the median {:.3g} times, and no wall adds "
+        "any: "
+        "what is called before was after, or time runs backwards",
         fit.energy.rises, fit.impacts.size(), fit.energy.ratio);
 }
 

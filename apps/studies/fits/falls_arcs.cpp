@@ -41,14 +41,6 @@ Vector2d median_place(const std::vector<FallFrames>& falls) {
     return {analysis::quantile(std::move(x), 0.5), analysis::quantile(std::move(y), 0.5)};
 }
 
-/// Kinks that meet between arcs that fall.
-std::vector<Kink> free_meetings(const analysis::FilmArcs& arcs) {
-    const std::vector<bool> free = analysis::falling_arcs(arcs);
-    std::vector<Kink> meeting = meeting_kinks(arcs);
-    std::erase_if(meeting, [&free](const Kink& kink) { return !(free[kink.before] && free[kink.before + 1]); });
-    return meeting;
-}
-
 /// The plate by the kinks that are an impact: in turn, since the plate tells which are.
 void find_plate(DividedFalls& falls, const FilmedScene& scene) {
     const FilmNoise noise = noise_of(falls.arcs);
@@ -68,7 +60,7 @@ void find_plate(DividedFalls& falls, const FilmedScene& scene) {
         falls.impacts = film_impacts(falls.arcs, kinks, scene, on_plate(scene, falls.plate));
         for (FilmImpact& found : falls.impacts) {
             if (found.use != KinkUse::used) continue;
-            if (!free[found.kink.before] || !free[found.kink.before + 1]) found.use = KinkUse::stays_on_wall;
+            if (!has_both(free, found.kink)) found.use = KinkUse::stays_on_wall;
             if (errors_of(found.kink, noise, scene, found.contact).across > most_error_across_plate)
                 found.use = KinkUse::no_meeting;
         }
@@ -78,8 +70,7 @@ void find_plate(DividedFalls& falls, const FilmedScene& scene) {
     }
     for (const FilmImpact& found : falls.impacts) {
         ++falls.counts[static_cast<std::size_t>(found.use)];
-        const bool falls_to_it = free[found.kink.before] && free[found.kink.before + 1];
-        if (falls_to_it && found.use == KinkUse::off_the_wall) ++falls.contradicting;
+        if (contradicts_plate(found, free)) ++falls.contradicting;
     }
     if (falls.count(KinkUse::used) < analysis::fewest_impacts)
         falls.outcome = 2 * falls.count(KinkUse::off_the_wall) > falls.impacts.size() ? FallsFitOutcome::no_plate
@@ -105,7 +96,7 @@ double impact_time(const DividedFalls& falls, const FilmedScene& scene, const st
     std::vector<double> squares, steps;
     for (const Kink& kink : analysis::kinks_of(falls.arcs)) {
         const Contact contact = contact_on(scene, falls.plate, kink.place);
-        if (std::abs(contact.gap) > near || !flies[kink.before] || !flies[kink.before + 1]) continue;
+        if (std::abs(contact.gap) > near || !has_both(flies, kink)) continue;
         if (!(contact.next_gap < -near)) continue;  // two vertices do not meet at one time
         squares.push_back(kink.apart_for);
         const analysis::FreeArc& arc = falls.arcs.arcs[kink.before];
@@ -199,18 +190,20 @@ std::optional<Plate> plate_without_mark(const DividedFalls& divided, const analy
         find_plate(used, unmarked);
         plates.push_back(used.plate);
     }
-    const auto off = [&scene](const Plate& plate) {
-        return std::abs(std::remainder(plate.mark - *scene.mark, 2 * pi<double>() / scene.sides));
-    };
-    auto nearest = std::min_element(plates.begin(), plates.end(),
-                                    [&off](const Plate& a, const Plate& b) { return off(a) < off(b); });
+    for (Plate& plate : plates)  // of all vertices the nearest
+        plate.mark = *scene.mark + std::remainder(plate.mark - *scene.mark, 2 * pi<double>() / scene.sides);
+    const auto off = [&scene](const Plate& plate) { return std::abs(plate.mark - *scene.mark); };
+    const auto nearest = std::min_element(plates.begin(), plates.end(),
+                                          [&off](const Plate& a, const Plate& b) { return off(a) < off(b); });
     if (nearest == plates.end()) return std::nullopt;
-    const double period = 2 * pi<double>() / scene.sides;
-    nearest->mark = *scene.mark + std::remainder(nearest->mark - *scene.mark, period);  // of all vertices the nearest
     return *nearest;
 }
 
 }  // namespace
+
+bool contradicts_plate(const FilmImpact& found, const std::vector<bool>& free) {
+    return found.use == KinkUse::off_the_wall && has_both(free, found.kink);
+}
 
 double merit_of(const DividedFalls& falls) {
     return static_cast<double>(falls.count(KinkUse::used)) - static_cast<double>(falls.contradicting);

@@ -71,12 +71,12 @@ struct DividedFalls {
     Eigen::Matrix3d tracker_noise = Eigen::Matrix3d::Zero();  ///< FilmArcs::noise of the finest division
     std::size_t longest = 0;                                  ///< frames of a piece of an arc, by which velocities are
     Plate plate;
-    std::optional<BodyOnPlate> body;              ///< as the film shows it, with the given sides
-    std::optional<Plate> unmarked;                ///< of a body whose mark is given: where impacts alone put it
-    std::optional<BodyOnPlate> shape;             ///< with other sides that are surely nearer to the plate
-    std::vector<FilmImpact> impacts;              ///< one a kink
+    std::optional<BodyOnPlate> body;   ///< as the film shows it, with the given sides
+    std::optional<Plate> unmarked;     ///< of a given mark: where impacts put it, of all vertices the nearest
+    std::optional<BodyOnPlate> shape;  ///< with other sides that are surely nearer to the plate
+    std::vector<FilmImpact> impacts;   ///< one a kink
     std::array<std::size_t, kink_uses> counts{};  ///< of each KinkUse
-    std::size_t contradicting = 0;                ///< kinks off the plate between arcs that fall
+    std::size_t contradicting = 0;                ///< kinks that contradicts_plate() is true of
 
     std::size_t count(KinkUse use) const { return counts[static_cast<std::size_t>(use)]; }
     /// How many falls are before the one that a time is in, and its given number.
@@ -85,6 +85,9 @@ struct DividedFalls {
     /// Of the plate over the given origin, in R_p.
     double plate_height() const { return plate.height + plate.normal().dot(origin); }
 };
+
+/// A kink off the plate between arcs that fall (`free`, of each arc: analysis::falling_arcs).
+bool contradicts_plate(const FilmImpact& found, const std::vector<bool>& free);
 
 /// Kinks that are impacts of one vertex, less those that contradict the plate: what a right division has most of.
 double merit_of(const DividedFalls& falls);

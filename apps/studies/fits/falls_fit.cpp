@@ -152,10 +152,9 @@ FallsInARow turned_film(FallsInARow film) {
 /// Momentum says that the angle is measured clockwise: the other products of the balance, of r_x and the spin, both
 /// turn with it. (Where vertices are tells nothing: a body is as high in one sense as in the other.)
 bool contradicts_angle(const DividedFalls& falls, const FallenBody& body) {
-    const std::vector<Kink> used = used_kinks(falls);
     if (falls.outcome != FallsFitOutcome::fitted) return false;
-    const FilmedScene scene = scene_of(body);
-    return analysis::momentum_signs(impacts_on(falls.arcs, used, scene, falls.plate, body.radius)).tangent < 0;
+    const auto impacts = impacts_on(falls.arcs, used_kinks(falls), scene_of(body), falls.plate, body.radius);
+    return analysis::momentum_signs(impacts).tangent < 0;
 }
 
 struct SensedFilm {
@@ -274,35 +273,37 @@ std::vector<FallEvidence> evidence_of(const FallsFit& falls) {
             if (used < falls.rises.size() && falls.rises[used]) ++of_fall.rising;
             ++used;
         }
-        if (found.use == KinkUse::off_the_wall && free[found.kink.before] && free[found.kink.before + 1])
-            ++of_fall.contradicting;
+        if (contradicts_plate(found, free)) ++of_fall.contradicting;
     }
     return evidence;
 }
 
-bool has_another_size(const FallsFit& falls, double least) {
+namespace {
+
+bool is_surely_off(double off, double error, double least) {
     constexpr double surely = 5;  // standard errors
-    if (!falls.body) return false;
-    const double off = std::abs(falls.body->size - 1);
-    return off > surely * falls.body->error && off > least;
+    return std::abs(off) > surely * error && std::abs(off) > least;
+}
+
+}  // namespace
+
+bool has_another_size(const FallsFit& falls, double least) {
+    return falls.body && is_surely_off(falls.body->size - 1, falls.body->error, least);
 }
 
 bool has_another_gravity(const FallsFit& falls, const FallsSetting& setting, double radius, double least) {
-    constexpr double surely = 5;  // standard errors
     if (!setting.gravity || std::isnan(falls.gravity_of_arcs)) return false;
-    const double given = *setting.gravity / radius, off = std::abs(falls.gravity_of_arcs - given);
-    return off > surely * falls.gravity_of_arcs_error && off > least * given;
+    const double given = *setting.gravity / radius;
+    return is_surely_off(falls.gravity_of_arcs - given, falls.gravity_of_arcs_error, least * given);
 }
 
 double mark_off(const FallsFit& falls, const FallenBody& body) {
-    return std::remainder(falls.unmarked->mark - *body.mark, 2 * pi<double>() / body.sides);
+    return falls.unmarked->mark - *body.mark;
 }
 
 bool has_another_mark(const FallsFit& falls, const FallenBody& body, double least) {
-    constexpr double surely = 5;  // standard errors
     if (!body.mark || !falls.unmarked) return false;
-    const double off = std::abs(mark_off(falls, body));
-    return off > surely * std::sqrt(falls.unmarked->errors(1, 1)) && off > least;
+    return is_surely_off(mark_off(falls, body), std::sqrt(falls.unmarked->errors(1, 1)), least);
 }
 
 FallsFit fit_falls(const std::vector<FallFrames>& all, double period, const FallenBody& body,

@@ -56,6 +56,11 @@ std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<c
 std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
                                      const FilmedScene& scene, const DishMotion& dish);
 
+/// Both arcs of the kink are among those that count.
+inline bool has_both(const std::vector<bool>& counts, const analysis::Kink& kink) {
+    return counts[kink.before] && counts[kink.before + 1];
+}
+
 /// Those both of whose arcs leave the wall.
 std::vector<analysis::Kink> clear_kinks(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
                                         const FilmedScene& scene, const DishMotion& dish);

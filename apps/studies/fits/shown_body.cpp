@@ -23,11 +23,9 @@ struct Evidence {
 
 /// Kinks that meet between arcs that fall, and of which noise tells where they are.
 std::vector<Kink> clear_meetings(const analysis::FilmArcs& arcs, const FilmNoise& noise, const FilmedScene& scene) {
-    const std::vector<bool> free = analysis::falling_arcs(arcs);
-    std::vector<Kink> kinks = meeting_kinks(arcs);
+    std::vector<Kink> kinks = free_meetings(arcs);
     std::erase_if(kinks, [&](const Kink& kink) {
-        const double error = errors_of(kink, noise, scene, contact_on(scene, {}, kink.place)).across;
-        return !(free[kink.before] && free[kink.before + 1] && error < most_error_across_plate);
+        return !(errors_of(kink, noise, scene, contact_on(scene, {}, kink.place)).across < most_error_across_plate);
     });
     return kinks;
 }
@@ -55,6 +53,13 @@ Evidence evidence_of(const analysis::FilmArcs& arcs, const FilmedScene& scene) {
 }
 
 }  // namespace
+
+std::vector<Kink> free_meetings(const analysis::FilmArcs& arcs) {
+    const std::vector<bool> free = analysis::falling_arcs(arcs);
+    std::vector<Kink> kinks = meeting_kinks(arcs);
+    std::erase_if(kinks, [&free](const Kink& kink) { return !has_both(free, kink); });
+    return kinks;
+}
 
 std::optional<BodyOnPlate> shown_body(const analysis::FilmArcs& arcs, const FilmedScene& scene) {
     constexpr int rounds = 3;

@@ -6,8 +6,12 @@
 #include "apps/studies/fits/plate.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace swirl::studies {
+
+/// Kinks that meet between arcs that fall: what tells the plate and the body on it.
+std::vector<analysis::Kink> free_meetings(const analysis::FilmArcs& arcs);
 
 /// The body's size by kinks that meet between arcs that fall (body_on_plate), those that count being the clear impacts
 /// of one vertex as the fit before has it. Nothing of a disk, or where no size settles.

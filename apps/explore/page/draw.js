@@ -48,8 +48,16 @@ class Figure {
     this.pen.font = FONT;
   }
 
+  /** The margin holds the ordinate's numbers and its label. */
   setRange(x, y) {
     [this.x, this.y] = [x, y];
+    this.pen.font = FONT;
+    const widest = Math.max(0, ...this.ticksUp().map(({ text }) => this.pen.measureText(text).width));
+    this.margin.left = Math.max(66, Math.ceil(widest) + 30);
+  }
+
+  ticksUp() {
+    return ticksBetween(...this.y, (this.height - this.margin.top - this.margin.bottom) / 44);
   }
 
   /** With equal scales and without axes: a picture of the plane. */
@@ -57,7 +65,7 @@ class Figure {
     const size = Math.min(this.width, this.height) / 2;
     this.margin = { left: this.width / 2 - size, right: this.width / 2 - size, top: this.height / 2 - size,
                     bottom: this.height / 2 - size };
-    this.setRange([-reach, reach], [-reach, reach]);
+    this.x = this.y = [-reach, reach];
   }
 
   toX(value) {
@@ -68,6 +76,13 @@ class Figure {
   toY(value) {
     const { top, bottom } = this.margin;
     return this.height - bottom - (value - this.y[0]) / (this.y[1] - this.y[0]) * (this.height - top - bottom);
+  }
+
+  /** Does an event point into the frame? */
+  isWithin(event) {
+    const box = this.canvas.getBoundingClientRect(), { left, right, top, bottom } = this.margin;
+    const x = event.clientX - box.left, y = event.clientY - box.top;
+    return x >= left && x <= this.width - right && y >= top && y <= this.height - bottom;
   }
 
   /** The place that an event points at, held within the figure. */
@@ -93,7 +108,7 @@ class Figure {
   axes(labels, ticks = {}, grid = false) {
     const { left, right, top, bottom } = this.margin, pen = this.pen;
     const across = this.width - left - right, up = this.height - top - bottom;
-    const xs = ticks.x || ticksBetween(...this.x, across / 80), ys = ticks.y || ticksBetween(...this.y, up / 44);
+    const xs = ticks.x || ticksBetween(...this.x, across / 80), ys = ticks.y || this.ticksUp();
     pen.lineWidth = 1;
     if (grid) {
       pen.strokeStyle = GRID;
@@ -108,7 +123,8 @@ class Figure {
     pen.textBaseline = "top";
     for (const { at, text } of xs) {
       pen.fillRect(Math.round(this.toX(at)), this.height - bottom, 1, 4);
-      pen.fillText(text, this.toX(at), this.height - bottom + 6);
+      const half = pen.measureText(text).width / 2; // of one at the edge, moved inwards
+      pen.fillText(text, Math.min(this.toX(at), this.width - half), this.height - bottom + 6);
     }
     pen.textAlign = "right";
     pen.textBaseline = "middle";
@@ -154,6 +170,18 @@ class Figure {
     pen.strokeStyle = colour;
     pen.lineWidth = width;
     pen.stroke();
+  }
+
+  /** The head of an arrow that runs counter-clockwise along a circle. */
+  head([x, y], radius, angle, colour) {
+    const pen = this.pen, size = 7;
+    const [a, b] = [this.toX(x + radius * Math.cos(angle)), this.toY(y + radius * Math.sin(angle))];
+    const [along, across] = [[-Math.sin(angle), -Math.cos(angle)], [Math.cos(angle), -Math.sin(angle)]]; // of the screen
+    pen.fillStyle = colour;
+    pen.beginPath();
+    pen.moveTo(a + size * along[0], b + size * along[1]);
+    for (const side of [1, -1]) pen.lineTo(a + side * size * across[0] / 2, b + side * size * across[1] / 2);
+    pen.fill();
   }
 
   polygon(points, colour, width, fill) {

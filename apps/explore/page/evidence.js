@@ -10,7 +10,10 @@ const RC_IMPACTS = 1000;
 const KEPT = 4096; // impacts, of which the section shows the last
 const MOST_OF_HISTORY = 4000; // points of S(t) and of its mean
 
-const COORDINATES = ["psi", "chi", "vn", "vt", "S"];
+const COORDINATES = ["psi", "chi", "vn", "vt", "S"]; // of the section
+const COLUMNS = [...COORDINATES, "t", "angle"]; // of an impact that is kept
+const TOO_FEW = 300; // impacts: a transient of fewer is usual
+const FEWEST_OF_RATE = 32; // impacts: RC of fewer is near 1/n whatever the orbit
 const AT = Object.fromEntries(IMPACT.map((name, place) => [name, place]));
 
 function turnBetween(a, b) {
@@ -21,7 +24,7 @@ function turnBetween(a, b) {
 class Evidence {
   constructor() {
     this.count = 0; // impacts
-    this.rows = new Float64Array(KEPT * COORDINATES.length);
+    this.rows = new Float64Array(KEPT * COLUMNS.length);
     this.history = []; // [t, S until then, mean of S by time until then]
     this.stride = 1;
     this.first = null; // t and angle at the first impact
@@ -32,8 +35,8 @@ class Evidence {
   /** Rows of SwirlMap.run. */
   add(rows) {
     for (let i = 0; i < rows.length; i += IMPACT.length) {
-      const place = (this.count % KEPT) * COORDINATES.length;
-      for (let c = 0; c < COORDINATES.length; ++c) this.rows[place + c] = rows[i + AT[COORDINATES[c]]];
+      const place = (this.count % KEPT) * COLUMNS.length;
+      for (let c = 0; c < COLUMNS.length; ++c) this.rows[place + c] = rows[i + AT[COLUMNS[c]]];
       const t = rows[i + AT.t], angle = rows[i + AT.angle];
       if (this.first === null) this.first = { t, angle };
       else if (t > this.first.t) this.mean = (angle - this.first.angle) / (t - this.first.t);
@@ -51,9 +54,15 @@ class Evidence {
     return Math.min(this.count, KEPT);
   }
 
-  /** Coordinate c of the impact that is `back` before the last. */
+  /** Column c of the impact that is `back` before the last. */
   coordinate(back, c) {
-    return this.rows[((this.count - 1 - back) % KEPT) * COORDINATES.length + c];
+    return this.rows[((this.count - 1 - back) % KEPT) * COLUMNS.length + c];
+  }
+
+  /** The mean of S by time over the last so many impacts. */
+  meanOfLast(impacts) {
+    const [t, angle] = [COLUMNS.indexOf("t"), COLUMNS.indexOf("angle")];
+    return (this.coordinate(0, angle) - this.coordinate(impacts, angle)) / (this.coordinate(0, t) - this.coordinate(impacts, t));
   }
 
   /** Do the impacts `a` and `b` before the last have the same point of the section? */
@@ -93,7 +102,16 @@ class Evidence {
     return { rate: pairs / (n * n), n };
   }
 
-  /** {mode, words}: mode is steady, quasi-steady, ended or open.
+  /** "RC = 0.125 of the last 1,000 impacts". */
+  rateInWords() {
+    const { rate, n } = this.recurrenceRate();
+    if (n < FEWEST_OF_RATE) return `recurrence rate RC: of ${FEWEST_OF_RATE} impacts or more`;
+    const alone = Math.round(rate * n * n) === n ? ", 1/n: no two have the same S" : "";
+    return `recurrence rate RC = ${rate.toPrecision(3)} of the last ${n.toLocaleString("en")} impacts` +
+      `${alone || " (S the same to 1e−6)"}`;
+  }
+
+  /** {mode, words, period}: mode is steady, quasi-steady, ended or open.
    *   outcome  of the orbit, as SwirlMap says it */
   verdict(outcome) {
     const impacts = `${this.count.toLocaleString("en")} impact${this.count === 1 ? "" : "s"}`;
@@ -107,9 +125,10 @@ class Evidence {
     };
     if (outcome !== "completed") return { mode: "ended", words: `${endings[outcome]}, after ${impacts}` };
     const found = this.period();
-    if (found === null) return { mode: "open", words: `not settled after ${impacts}` };
+    if (found === null)
+      return { mode: "open", words: this.count < TOO_FEW ? `too early to say: ${impacts}` : `not settled after ${impacts}` };
     const name = found.period === 1 ? "steady" : `quasi-steady, period ${found.period}`;
-    return { mode: found.period === 1 ? "steady" : "quasi-steady",
+    return { mode: found.period === 1 ? "steady" : "quasi-steady", period: found.period,
              words: `${name}: the last ${found.impacts} impacts recur to 1e−9` };
   }
 }

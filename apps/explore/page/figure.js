@@ -119,7 +119,7 @@ class RecordFigure {
     const { figure, diagram } = this;
     figure.dots(diagram.dots, "rgba(34, 34, 34, 0.45)", diagram.dots.length > 20000 ? 1 : diagram.dots.length > 2000 ? 1.6 : 3);
     for (const { x, y, stable } of diagram.lines)
-      figure.line(x.map((value, i) => [value, y[i]]), OWN, stable ? 1.8 : 0.8, stable ? [] : [4, 3]);
+      figure.line(x.map((value, i) => [value, y[i]]), OWN, stable ? 1.8 : 1, stable ? [] : [4, 3]);
     for (const { x, y, kind } of diagram.marks) {
       figure.dots([[x, y]], "#ffffff", 9);
       figure.dots([[x, y]], CURVE_COLOURS[kind] || "#D55E00", 7);
@@ -139,20 +139,20 @@ class RecordFigure {
       }
   }
 
-  /** [{colour, text}] */
+  /** [{colour, text, word}]: `word` is what MEANINGS explains. */
   legend() {
     const found = [];
     if (this.sweep) {
       const there = new Set(this.sweep.sweep.run_mode.values.map((value) => this.sweep.sweep.run_mode.names[value]));
-      for (const [mode, colour] of Object.entries(MODE_COLOURS)) if (there.has(mode)) found.push({ colour, text: mode });
+      for (const [mode, colour] of Object.entries(MODE_COLOURS)) if (there.has(mode)) found.push({ colour, text: mode, word: mode });
     }
     for (const kind of new Set(this.curves.flatMap(({ lines }) => lines.map((line) => line.kind))))
-      found.push({ colour: CURVE_COLOURS[kind] || PALE, text: `${kind} of cycles` });
+      found.push({ colour: CURVE_COLOURS[kind] || PALE, text: `${kind} of cycles`, word: kind });
     if (this.diagram) {
       const { every, dots, lines, marks } = this.diagram;
       if (dots.length) found.push({ colour: "#777777", text: every > 1 ? `impacts, one in ${every}` : "impacts" });
       if (lines.length) found.push({ colour: OWN, text: "cycles: stable thick, unstable dashed" });
-      for (const kind of new Set(marks.map((mark) => mark.kind))) found.push({ colour: CURVE_COLOURS[kind] || "#D55E00", text: kind });
+      for (const kind of new Set(marks.map((mark) => mark.kind))) found.push({ colour: CURVE_COLOURS[kind] || "#D55E00", text: kind, word: kind });
     }
     return found;
   }
@@ -172,23 +172,39 @@ class RecordFigure {
     return this.diagram.branchAt(x, y, 0.015 * (high - low));
   }
 
+  /** The middle of the cell that an event points at; of a record that is no grid the place itself. */
+  cellAt(event) {
+    const place = this.valuesAt(event);
+    if (!this.sweep || !this.sweep.isGrid) return place;
+    return Object.fromEntries(this.axes.map((axis) => [axis.name, axis.values[axis.cellAt(axis.along(place[axis.name]))]]));
+  }
+
   valuesAt(event) {
     const { x, y } = this.figure.placeOf(event);
     return Object.fromEntries(this.axes.map((axis, i) => [axis.name, axis.valueAt(i === 0 ? x : y)]));
   }
 
+  /** A click takes a cell of a grid, a drag the places on its way. A finger that scrolls takes nothing: what it points at is
+   * taken as it is lifted, or as it moves sideways. */
   listen(canvas) {
-    let dragging = false;
+    let from = null, dragging = false; // of the press
+    const isFar = (event) => Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > 4;
     canvas.addEventListener("pointerdown", (event) => {
-      dragging = true;
+      if (!this.figure.isWithin(event)) return;
+      [from, dragging] = [event, false];
       canvas.setPointerCapture(event.pointerId);
-      this.choose(this.valuesAt(event));
+      if (event.pointerType !== "touch") this.choose(this.cellAt(event));
     });
     canvas.addEventListener("pointermove", (event) => {
+      if (from && !dragging) dragging = isFar(event);
       if (dragging) this.choose(this.valuesAt(event));
-      else this.onHover(this.valuesAt(event), this.branchAt(event));
+      else if (!from) this.onHover(this.valuesAt(event), this.branchAt(event));
     });
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { dragging = false; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (from && !dragging && event.pointerType === "touch") this.choose(this.cellAt(event));
+      [from, dragging] = [null, false];
+    });
+    canvas.addEventListener("pointercancel", () => { [from, dragging] = [null, false]; });
     canvas.addEventListener("pointerleave", () => this.onHover(null));
     canvas.addEventListener("keydown", (event) => {
       const moves = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1] };

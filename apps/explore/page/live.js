@@ -67,6 +67,14 @@ class LiveOrbit {
     return made;
   }
 
+  /** So many impacts at once. */
+  ahead(count) {
+    for (let made = 0; made < count && !this.ended; made += 256) this.impacts(Math.min(256, count - made));
+    this.time = this.wayEnds;
+    this.trail = [];
+    this.keepTrail(this.time);
+  }
+
   keepTrail(time) {
     const { x, y } = this.momentAt(time), last = this.trail[this.trail.length - 1];
     if (!last || time > last[0]) this.trail.push([time, x, y]);
@@ -99,7 +107,11 @@ function drawDish(figure, orbit, frame) {
   figure.clear();
   const centre = inFrame(frame, beta, time, beta * Math.cos(time), beta * Math.sin(time));
   figure.circle(...centre, 1, INK, 2, "#f6f6f6");
-  if (frame === "laboratory") figure.circle(0, 0, beta, "#b0b0b0", 1); // the way of the dish's centre
+  if (frame === "laboratory") {
+    figure.circle(0, 0, beta, "#b0b0b0", 1); // the way of the dish's centre, and its sense
+    const ahead = 20 / Math.max(1, figure.toX(beta) - figure.toX(0)); // so many pixels
+    if (ahead < 2) figure.head([0, 0], beta, time + ahead, "#888888");
+  }
   figure.dots([centre], "#888888", 4);
   figure.line(orbit.trail.map(([t, x, y]) => inFrame(frame, beta, t, x, y)), "rgba(0, 114, 178, 0.55)", 1.3);
   const { x, y, angle } = orbit.momentAt(time);

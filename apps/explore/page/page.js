@@ -1,7 +1,10 @@
 // The page: its state, what the reader does to it, and the frames in which it is drawn.
 
 const PACES = ["1", "5", "25", "100", "0"];
-const SCENE_NUMBERS = { alpha: [0.02, 0.98], beta: [0, 2], mu: [0, 2], restitution: [0, 1] };
+const SCENE_NUMBERS = { alpha: [0.02, 0.98], beta: [0, 2], mu: [0, 2], restitution: [0, 1] }; // of the sliders
+const ALLOWED = { alpha: [1e-3, 0.999], beta: [0, 1e3], mu: [0, 1e3], restitution: [0, 1] };
+const CALLED = { alpha: "size", beta: "swirl", mu: "friction", restitution: "restitution" };
+const AHEAD = 10000; // impacts
 
 class Page {
   constructor(data, map) {
@@ -16,6 +19,7 @@ class Page {
     for (const axis of this.figure.axes) this.state[axis.name] = axis.values[axis.order[axis.order.length >> 1]];
     this.describe();
     this.buildControls();
+    this.first = { ...this.state };
     this.readHash();
     this.listen();
     this.begin();
@@ -79,6 +83,7 @@ class Page {
     this.figure.setPlace(this.state);
     this.showCell(null);
     this.showScene();
+    [byId("held").textContent, this.notice] = [this.notice || "", ""];
     this.writeHash();
     this.dirty = true;
   }
@@ -102,11 +107,18 @@ class Page {
     byId("origin").textContent = `${files.join(", ")}; page made by swirl explore ${this.data.swirl_version}`;
     const names = this.figure.axes.map((axis) => symbolOf(axis.name)).join(" and ");
     byId("figure").setAttribute("aria-label", `${kinds[first.kind]}, over ${names}. Arrows choose the scene.`);
-    for (const { colour, text } of this.figure.legend()) {
+    const meant = { ...MEANINGS };
+    for (const { colour, text, word } of this.figure.legend()) {
       const item = document.createElement("li"), patch = document.createElement("span");
       patch.style.background = colour;
       item.append(patch, text);
       byId("legend").append(item);
+      if (!meant[word]) continue;
+      item.title = meant[word];
+      const [name, meaning] = ["dt", "dd"].map((kind) => document.createElement(kind));
+      [name.textContent, meaning.textContent] = [word, meant[word]];
+      byId("word-list").append(name, meaning);
+      delete meant[word];
     }
   }
 
@@ -122,7 +134,8 @@ class Page {
       const place = axis.along(this.state[axis.name]);
       return place < axis.edges[0] || place > axis.edges[axis.edges.length - 1];
     });
-    if (beyond.length) return `none: ${beyond.map(({ name }) => symbolOf(name)).join(" and ")} is outside its range`;
+    if (beyond.length > 1) return `none: ${beyond.map(({ name }) => symbolOf(name)).join(" and ")} are outside their ranges`;
+    if (beyond.length) return `none: ${symbolOf(beyond[0].name)} is outside its range`;
     const words = this.figure.words(this.state);
     const drawn = Object.fromEntries((this.figure.sweep ? this.figure.sweep.others : [])
       .map((axis) => [axis.name, axis.values[this.figure.sweep.at[axis.name]]]));
@@ -143,14 +156,16 @@ class Page {
     const { evidence, outcome, ok } = this.orbit;
     if (!ok) {
       byId("verdict").textContent = "no such start: the body does not lie within the container";
-      byId("numbers").textContent = "";
+      byId("numbers").textContent = byId("rate").textContent = "";
       return;
     }
-    const { words } = evidence.verdict(outcome), { rate, n } = evidence.recurrenceRate();
+    const { words, period } = evidence.verdict(outcome);
     byId("verdict").textContent = words;
-    byId("numbers").textContent = `⟨S⟩ = ${shortNumber(evidence.mean)} over ω_s t = ${shortNumber(evidence.time)};  RC = ` +
-      `${n ? rate.toPrecision(3) : "–"} of the last ${n} (δ = 1e−6)`;
+    byId("numbers").textContent = (period ? `⟨S⟩ = ${shortNumber(evidence.meanOfLast(period))} on the cycle, ` : "⟨S⟩ = ") +
+      `${shortNumber(evidence.mean)} since the start (ω_s t = ${shortNumber(evidence.time)})`;
+    byId("rate").textContent = evidence.rateInWords();
     showWords(byId("command"), commandOf(this.scene, this.startAsFlags, Math.max(1, evidence.count)));
+    showWords(byId("judge"), commandOf(this.scene, this.startAsFlags));
   }
 
   // What the reader does.
@@ -160,13 +175,14 @@ class Page {
     for (const [name, [low, high]] of Object.entries(SCENE_NUMBERS)) {
       const label = document.createElement("label"), axis = this.axisOf(name);
       const top = Math.max(high, axis ? axis.values[axis.order[axis.order.length - 1]] : Number(this.state[name]));
-      label.append(symbolOf(name));
+      label.append(`${symbolOf(name)} ${CALLED[name]}`);
+      label.title = labelOf(name);
       for (const type of ["range", "number"]) {
-        const input = Object.assign(document.createElement("input"), { type, min: low, max: top, step: type === "range" ? 0.001 : "any" });
-        if (type === "number") Object.assign(input, { min: 0 });
+        const input = Object.assign(document.createElement("input"), { type, min: low, max: top, step: 0.001 });
+        if (type === "number") Object.assign(input, { min: 0, max: ALLOWED[name][1] });
         input.dataset.name = name;
         input.setAttribute("aria-label", `${labelOf(name)}${type === "range" ? ", slider" : ""}`);
-        input.addEventListener(type === "range" ? "input" : "change", () => this.enter(name, Number(input.value)));
+        input.addEventListener(type === "range" ? "input" : "change", () => this.enter(name, input.value === "" ? NaN : Number(input.value)));
         label.append(input);
       }
       field.append(label);
@@ -185,6 +201,7 @@ class Page {
       const label = document.createElement("label"), choice = document.createElement("select");
       axis.order.forEach((place) => choice.append(new Option(axis.text(axis.values[place]), String(place))));
       choice.value = String(sweep.at[axis.name]);
+      choice.dataset.name = axis.name;
       choice.addEventListener("change", () => this.setOther(axis, Number(choice.value)));
       label.append(`${symbolOf(axis.name)} `, choice, " ");
       byId("others").append(label);
@@ -197,12 +214,21 @@ class Page {
     this.change({ [axis.name]: axis.values[place] });
   }
 
-  /** A number of the scene, held within its range. */
+  /** A number of the scene, held within its range; what is none leaves the scene as it is. */
   enter(name, value) {
-    const inside = { alpha: [1e-3, 0.999], beta: [0, 1e3], mu: [0, 1e3], restitution: [0, 1] }[name];
-    if (!Number.isFinite(value)) return this.showScene();
-    this.change({ [name]: Math.min(inside[1], Math.max(inside[0], value)) });
-    this.showScene();
+    const held = Number.isFinite(value) ? this.held(name, value) : this.state[name];
+    this.change({ [name]: held });
+    if (Object.is(held, value)) return;
+    if (!Number.isFinite(value)) byId("held").textContent = `${symbolOf(name)} stays ${shortNumber(held)}: no number was entered`;
+    for (const input of document.querySelectorAll(`#scene input[data-name="${name}"]`)) input.value = held;
+  }
+
+  /** Within what is allowed; where it was not, the page says so. */
+  held(name, value) {
+    const [low, high] = ALLOWED[name], inside = Math.min(high, Math.max(low, value));
+    if (inside !== value)
+      this.notice = `${symbolOf(name)} = ${shortNumber(value)} is held to ${inside}: allowed are ${low} to ${high}`;
+    return inside;
   }
 
   setRunning(running) {
@@ -225,14 +251,23 @@ class Page {
     this.dirty = true;
   }
 
+  goAhead() {
+    this.orbit.ahead(AHEAD);
+    this.dirty = true;
+  }
+
   listen() {
     byId("play").addEventListener("click", () => this.setRunning(!this.running));
     byId("step").addEventListener("click", () => this.oneImpact());
+    byId("ahead").addEventListener("click", () => this.goAhead());
     byId("restart").addEventListener("click", () => this.begin());
+    byId("first").addEventListener("click", () => this.toFirst());
     byId("pace").addEventListener("change", (event) => this.setPace(event.target.value));
     byId("start").addEventListener("change", (event) => this.change({ start: Number(event.target.value) }));
-    byId("frame").addEventListener("change", () => { this.dirty = true; });
-    byId("copy").addEventListener("click", () => copy(byId("command")));
+    byId("frame").addEventListener("change", () => { this.writeHash(); this.dirty = true; });
+    byId("copy").addEventListener("click", () => copy(byId("copy"), byId("command").textContent));
+    byId("copy-judge").addEventListener("click", () => copy(byId("copy-judge"), byId("judge").textContent));
+    byId("copy-link").addEventListener("click", () => copy(byId("copy-link"), byId("link").href));
     window.addEventListener("resize", () => this.resize());
     window.addEventListener("hashchange", () => {
       if (location.hash === this.written) return;
@@ -243,16 +278,35 @@ class Page {
   }
 
   onKey(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|A)$/.test(event.target.tagName)) return;
+    const { tagName, type } = event.target;
+    if (event.ctrlKey || event.metaKey || event.altKey || tagName === "SELECT" || (tagName === "INPUT" && type !== "range")) return;
+    if (event.key === " " && /^(BUTTON|A|SUMMARY)$/.test(tagName)) return; // its own
     const next = (by) => this.setPace(PACES[Math.min(PACES.length - 1, Math.max(0, PACES.indexOf(this.state.pace) + by))]);
     const actions = {
-      " ": () => this.setRunning(!this.running), ".": () => this.oneImpact(), r: () => this.begin(),
+      " ": () => this.setRunning(!this.running), ".": () => this.oneImpact(), f: () => this.goAhead(), r: () => this.begin(),
+      "?": () => this.showWordList(),
       n: () => !this.startIsGiven() && this.change({ start: (this.state.start + 1) % this.data.starts.length }),
       "+": () => next(1), "-": () => next(-1),
     };
     if (!actions[event.key]) return;
     event.preventDefault();
     actions[event.key]();
+  }
+
+  showWordList() {
+    byId("words").open = true;
+    byId("words").scrollIntoView({ block: "center" });
+    byId("words").querySelector("summary").focus();
+  }
+
+  /** As the page was opened without an address. */
+  toFirst() {
+    Object.assign(this.state, this.first);
+    byId("frame").value = "laboratory";
+    if (this.figure.sweep) for (const axis of this.figure.sweep.others) this.figure.sweep.at[axis.name] = axis.values.indexOf(this.state[axis.name]);
+    this.figure.stale = true;
+    for (const choice of document.querySelectorAll("#others select")) choice.value = String(this.figure.sweep.at[choice.dataset.name]);
+    this.begin();
   }
 
   setPace(pace) {
@@ -268,7 +322,8 @@ class Page {
   }
 
   writeHash() {
-    this.written = "#" + this.hashNames().map((name) => `${name}=${encodeURIComponent(this.state[name])}`).join("&");
+    this.written = "#" + this.hashNames().map((name) => `${name}=${encodeURIComponent(this.state[name])}`).join("&") +
+      `&frame=${byId("frame").value}`;
     byId("link").href = this.written;
     try {
       history.replaceState(null, "", this.written);
@@ -280,6 +335,7 @@ class Page {
   readHash() {
     const given = new URLSearchParams(location.hash.slice(1));
     for (const [name, text] of given) {
+      if (name === "frame" && [...byId("frame").options].some((option) => option.value === text)) byId("frame").value = text;
       if (!(name in this.state) || (name === "sides" && !this.axisOf(name))) continue;
       const value = Number(text), axis = this.axisOf(name);
       if (name === "pace") this.state.pace = PACES.includes(text) ? text : this.state.pace;
@@ -288,10 +344,8 @@ class Page {
       else if (name === "sides" && axis) this.state[name] = axis.values.includes(value) ? value : this.state[name];
       else if (typeof this.state[name] === "number" && Number.isFinite(value) && text !== "") this.state[name] = value;
     }
-    for (const name of Object.keys(SCENE_NUMBERS)) {
-      const inside = { alpha: [1e-3, 0.999], beta: [0, 1e3], mu: [0, 1e3], restitution: [0, 1] }[name];
-      if (!(this.axisOf(name) || {}).words) this.state[name] = Math.min(inside[1], Math.max(inside[0], Number(this.state[name])));
-    }
+    for (const name of Object.keys(ALLOWED))
+      if (!(this.axisOf(name) || {}).words) this.state[name] = this.held(name, Number(this.state[name]));
   }
 
   // Frames.
@@ -330,7 +384,7 @@ class Page {
     if (this.seconds < 1) return;
     this.speeds = { frames: this.frames / this.seconds, impacts: this.impacts / this.seconds };
     byId("speeds").textContent = this.running
-      ? `${Math.round(this.speeds.frames)} frames/s, ${Math.round(this.speeds.impacts).toLocaleString("en")} impacts/s` : "";
+      ? `${Math.round(this.speeds.frames)} frames and ${Math.round(this.speeds.impacts).toLocaleString("en")} impacts a second` : "";
     this.frames = this.impacts = this.seconds = 0;
   }
 }
@@ -356,12 +410,16 @@ function showWords(element, text) {
   }));
 }
 
-function copy(element) {
-  const range = document.createRange();
-  range.selectNodeContents(element);
-  getSelection().removeAllRanges();
-  getSelection().addRange(range);
-  document.execCommand("copy"); // also of a page from a file, where the clipboard's newer interface is closed
+/** To the clipboard, by what works in a page from a file, too, where the newer interface is closed; the button says whether. */
+function copy(button, text) {
+  const field = Object.assign(document.createElement("textarea"), { value: text });
+  button.after(field);
+  field.select();
+  const done = document.execCommand("copy");
+  field.remove();
+  button.focus();
+  button.textContent = done ? "Copied" : "The browser refused";
+  setTimeout(() => { button.textContent = "Copy"; }, 2000);
 }
 
 async function open() {

@@ -20,6 +20,19 @@ const SECTION_LABELS = Object.fromEntries(Object.entries({ S: "S = ω_p/ω_s", p
   vt: "v_t/(R_c ω_s)" }).map(([name, label]) => [name, `${label}, just after each impact`]));
 const OF_SCENE = ["sides", "law", "alpha", "beta", "mu", "restitution", "inertia_factor"];
 const OF_START = ["x", "y", "vx", "vy", "angle", "spin", "speed"];
+/** What the words of the legend mean, for who points at one; the page's list of words has the same. */
+const MEANINGS = {
+  steady: "the same impact recurs: a fixed point of the section, S is one value",
+  "quasi-steady": "impacts recur after more than one (a cycle of that period), or fill a closed curve",
+  chaotic: "no impact recurs, and neighbouring orbits part exponentially (positive exponent)",
+  undecided: "not settled within the impacts that the program followed",
+  fold: "a cycle and an unstable one meet here, and there is neither beyond",
+  flip: "a cycle loses its stability to one of twice the period (multiplier −1)",
+  "neimark-sacker": "a cycle loses its stability to a closed curve (a pair of multipliers on the unit circle)",
+  grazing: "the cycle touches the wall on its way, and ends here",
+  "two-vertices": "two vertices strike at once, and the cycle ends here",
+  "stick-slip": "an impact of the cycle changes from sticking to sliding",
+};
 const MODE_COLOURS = { steady: "#00406B", "quasi-steady": "#F0E442", chaotic: "#D55E00", undecided: "#BDBDBD" };
 
 function symbolOf(name) {
@@ -75,8 +88,10 @@ class Axis {
     if (this.words || this.whole) return this.values[this.cellAt(place)];
     const value = this.logarithmic ? Math.exp(place) : place;
     const step = this.logarithmic ? value / 300 : (this.edges[this.edges.length - 1] - this.edges[0]) / 300;
-    const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step))));
-    return Number(value.toFixed(decimals));
+    const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step)))), unit = 10 ** -decimals;
+    const rounded = Number(value.toFixed(decimals)), at = this.along(rounded);
+    if (at < this.edges[0]) return Number((rounded + unit).toFixed(decimals)); // the edge itself, rounded outwards
+    return at > this.edges[this.edges.length - 1] ? Number((rounded - unit).toFixed(decimals)) : rounded;
   }
 
   /** The number of the cell, in the record's order. */
@@ -199,15 +214,17 @@ class Sweep {
     const where = this.all.filter((axis) => axis.values.length > 1)
       .map((axis) => `${symbolOf(axis.name)} = ${axis.text(this.coordinate(cell, axis))}`).join(", ");
     if (!this.wasRun(cell)) return `${where}: not run; ${this.modeOf(cell)} as its neighbour`;
-    return `${where}: ${attractorsInWords(this.attractors(cell))}`;
+    return `${where}: ${attractorsInWords(this.attractors(cell), this.runs)}`;
   }
 }
 
-/** "quasi-steady, period 8, ⟨S⟩ = −1.2, of 50 % of the starts; chaotic …". */
-function attractorsInWords(attractors) {
+/** "quasi-steady, period 8, ⟨S⟩ = −1.2, 50 % of the starts; chaotic …".
+ *   starts  how many there were, where that is known: of few their number says more than a share */
+function attractorsInWords(attractors, starts = Infinity) {
+  const ofStarts = (share) => (starts < 20 ? `${Math.round(share * starts)} of ${starts} start${starts === 1 ? "" : "s"}`
+    : `${Math.round(100 * share)} % of the starts`);
   return attractors.map(({ mode, period, spin, share }) =>
-    `${mode}${period > 1 ? `, period ${period}` : ""}, ⟨S⟩ = ${shortNumber(spin)}, ` +
-    `${Math.round(100 * share)} % of the starts`).join("; ");
+    `${mode}${period > 1 ? `, period ${period}` : ""}, ⟨S⟩ = ${shortNumber(spin)}, ${ofStarts(share)}`).join("; ");
 }
 
 /** A diagram over one parameter: {axis, dots: [x, S, mode or null], lines, marks}. */
@@ -227,7 +244,6 @@ class Diagram {
       const at = values(samples, "column"), spins = values(samples, own);
       for (let i = 0; i < at.length; ++i) this.dots.push([columns.parameter.values[at[i]], spins[i]]);
     }
-    this.lines = branches ? this.linesOf(branches, own) : [];
     this.marks = [];
     if (special)
       special.parameter.values.forEach((x, i) => {
@@ -235,19 +251,40 @@ class Diagram {
         this.marks.push({ x, y: special[own].values[i * width], kind: special.kind.names
           ? special.kind.names[special.kind.values[i]] : special.kind.values[i], period: special.period.values[i] });
       });
+    this.lines = branches ? this.linesOf(branches, own) : [];
   }
 
-  /** One line for each point of each branch's cycles, cut where stability changes. */
+  /** {x, y, stable, period}: for each point of each branch's cycles a line as far as it is as stable. Where stability
+   * changes between two cycles of the record, both lines end at the special point between them; where the record has none
+   * there, `stable` of the piece is null. */
   linesOf(branches, own) {
     const width = branches[own].shape[1] || 1, lines = [];
     const { branch, stable, period, parameter } = branches;
-    for (let i = 1; i < parameter.values.length; ++i) {
-      if (branch.values[i] !== branch.values[i - 1]) continue;
-      for (let p = 0; p < Math.min(width, period.values[i]); ++p) {
-        const from = branches[own].values[(i - 1) * width + p], to = branches[own].values[i * width + p];
-        if (from !== null && to !== null)
-          lines.push({ x: [parameter.values[i - 1], parameter.values[i]], y: [from, to],
-                       stable: stable.values[i] === 1 && stable.values[i - 1] === 1, period: period.values[i] });
+    const spin = (i, p) => branches[own].values[i * width + p];
+    for (let p = 0; p < width; ++p) {
+      let line = null;
+      const add = (from, to, isStable, cycle) => {
+        if (!line || line.stable !== isStable || line.period !== cycle) {
+          line = { x: [from[0]], y: [from[1]], stable: isStable, period: cycle };
+          lines.push(line);
+        }
+        line.x.push(to[0]);
+        line.y.push(to[1]);
+      };
+      for (let i = 1; i < parameter.values.length; ++i) {
+        const cycle = period.values[i], [x, y] = [i - 1, i].map((k) => parameter.values[k]), pair = [spin(i - 1, p), spin(i, p)];
+        if (branch.values[i] !== branch.values[i - 1] || p >= cycle || pair.includes(null)) {
+          line = null;
+          continue;
+        }
+        const [before, after] = [i - 1, i].map((k) => stable.values[k] === 1), from = [x, pair[0]], to = [y, pair[1]];
+        const between = before !== after && this.marks.find((mark) => mark.period === cycle && (mark.x - x) * (mark.x - y) <= 0);
+        if (before === after || !between) add(from, to, before === after ? before : null, cycle);
+        else {
+          const there = [between.x, x === y ? to[1] : from[1] + (between.x - x) / (y - x) * (to[1] - from[1])];
+          add(from, there, before, cycle);
+          add(there, to, after, cycle);
+        }
       }
     }
     return lines;
@@ -256,15 +293,17 @@ class Diagram {
   /** The branch that passes a place within so much of the ordinate: "cycle of period 2, unstable, S = …". */
   branchAt(x, y, within) {
     let found = "", least = within;
-    for (const line of this.lines) {
-      const [from, to] = line.x;
-      if (x < Math.min(from, to) || x > Math.max(from, to)) continue;
-      const at = from === to ? line.y[0] : line.y[0] + (x - from) / (to - from) * (line.y[1] - line.y[0]);
-      if (!(Math.abs(at - y) <= least)) continue;
-      least = Math.abs(at - y);
-      found = `cycle of period ${line.period}, ${line.stable ? "stable" : "unstable"}, ` +
-        `${symbolOf(this.axis.name)} = ${shortNumber(x)}, ${this.observable} = ${shortNumber(at)}`;
-    }
+    for (const line of this.lines)
+      for (let k = 1; k < line.x.length; ++k) {
+        const [from, to] = [line.x[k - 1], line.x[k]];
+        if (x < Math.min(from, to) || x > Math.max(from, to)) continue;
+        const at = from === to ? line.y[k] : line.y[k - 1] + (x - from) / (to - from) * (line.y[k] - line.y[k - 1]);
+        if (!(Math.abs(at - y) <= least)) continue;
+        least = Math.abs(at - y);
+        const stability = line.stable === null ? "its stability changes near here" : line.stable ? "stable" : "unstable";
+        found = `cycle of period ${line.period}, ${stability}, ` +
+          `${symbolOf(this.axis.name)} = ${shortNumber(x)}, ${this.observable} = ${shortNumber(at)}`;
+      }
     return found;
   }
 
@@ -298,11 +337,13 @@ function curvesOf(record) {
                     [record.settings.second_low, record.settings.second_high]] };
 }
 
-/** The command that follows the same orbit.
+const ROWS = 1000; // that a command prints, of a longer orbit
+
+/** The command that follows the same orbit; of no number of impacts the one that judges it.
  *   start  {seed, speed, usual}: a random start, `usual` of the program's own speed; or numbers of a start */
-function commandOf(scene, start, impacts) {
+function commandOf(scene, start, impacts = null) {
   const numbers = { alpha: scene.alpha, beta: scene.beta, mu: scene.mu, restitution: scene.restitution };
-  const words = [`swirl simulate --sides ${scene.sides === 0 ? "disk" : scene.sides}`];
+  const words = [`swirl ${impacts === null ? "classify" : "simulate"} --sides ${scene.sides === 0 ? "disk" : scene.sides}`];
   for (const [name, value] of Object.entries(numbers)) words.push(`--${name} ${value}`);
   if (scene.law !== "poisson") words.push(`--law ${scene.law}`);
   if (!scene.uniform) words.push(`--inertia-factor ${scene.inertia_factor}`);
@@ -313,5 +354,7 @@ function commandOf(scene, start, impacts) {
     for (const name of ["x", "y", "vx", "vy", "angle", "spin"])
       if (name in start) words.push(`--${name}=${start[name]}`);
   }
-  return `${words.join(" ")} --collisions ${impacts}`;
+  if (impacts !== null) words.push(`--collisions ${impacts}`);
+  if (impacts > 10 * ROWS) words.push(`--every ${Math.ceil(impacts / ROWS)}`);
+  return words.join(" ");
 }

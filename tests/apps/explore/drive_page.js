@@ -46,7 +46,7 @@ async function explore(map) {
 
     // What the record has beneath the mouse, in words.
     await page.mouse("mouseMoved", await page.at("figure", 0.9, 0.5));
-    assert.match(await page.evaluate(text("cell")), /^Here: α = 0\.\d+, β = 0\.\d+: .* of the starts/);
+    assert.match(await page.evaluate(text("cell")), /^Here: α = 0\.\d+, β = 0\.\d+: .* of (the|\d+) starts?/);
 
     // Keys: the figure's arrows go to cells, space stops, "." makes one impact.
     await page.evaluate("document.getElementById('figure').focus()");
@@ -60,7 +60,35 @@ async function explore(map) {
     for (let i = 0; i < 4; ++i) await page.key(".", ".");
     assert.ok(await page.evaluate("swirlPage.orbit.evidence.count") >= impacts + 3);
 
+    // The keys stay alive after a click on a button.
+    const counted = () => page.evaluate("swirlPage.orbit.evidence.count");
+    await page.click("step");
+    const made = await counted();
+    await page.key("f", "f");
+    assert.equal(await counted(), made + 10000);
+    await page.key("r", "r");
+    assert.equal(await counted(), 0);
+    await page.key("?", "?");
+    assert.ok(await page.evaluate("document.getElementById('words').open && scrollY > 0"));
+
+    // A number out of range is held, and both the box and a line say so; an emptied box changes nothing.
+    const enter = (value) => page.evaluate(`(() => { const box = document.querySelector("#scene input[type=number][data-name=alpha]");
+      box.focus(); box.value = "${value}"; box.dispatchEvent(new Event("change")); return box.value; })()`);
+    assert.equal(await enter("1.5"), "0.999");
+    assert.equal(await page.evaluate(text("held")), "α = 1.5 is held to 0.999: allowed are 0.001 to 0.999");
+    assert.equal(await enter(""), "0.999");
+    assert.match(await page.evaluate(text("held")), /^α stays 0\.999: no number/);
+    assert.equal(await enter("0.4"), "0.4");
+    assert.equal(await page.evaluate(text("held")), "");
+
+    // The first scene comes back, and a click takes the middle of a cell.
+    await page.click("first");
+    assert.ok(await page.evaluate("swirlPage.hashNames().every((name) => swirlPage.state[name] === swirlPage.first[name])"));
+    await page.click("figure", 0.41, 0.37);
+    assert.ok(await page.evaluate("swirlPage.figure.axes.every((axis) => axis.values.includes(swirlPage.state[axis.name]))"));
+
     // The address holds the state: a page that is opened with it has the same scene.
+    await page.evaluate("document.getElementById('frame').value = 'co-rotating'");
     await page.evaluate("swirlPage.enter('mu', 0.31)");
     const link = await page.evaluate("document.getElementById('link').href");
     assert.match(link, /mu=0\.31/);
@@ -68,6 +96,7 @@ async function explore(map) {
     await page.send("Page.navigate", { url: link });
     await page.until(READY);
     assert.equal(await page.evaluate("swirlPage.scene.mu"), 0.31);
+    assert.equal(await page.evaluate("document.getElementById('frame').value"), "co-rotating");
 
     // The record says nothing of a scene that it does not have.
     assert.match(await page.evaluate(text("recorded")), /^the record with μ = 0\.5: /);
@@ -78,6 +107,9 @@ async function explore(map) {
     await page.evaluate("swirlPage.change({ alpha: 0.5181818181818182, beta: 0.5444444444444444, mu: 0.5 }); swirlPage.setPace('0'); swirlPage.setRunning(true)");
     await page.until("/recur/.test(document.getElementById('verdict').textContent)", 120);
     assert.match(await page.evaluate(text("verdict")), /^steady: the last 32 impacts recur to 1e−9$/);
+    const [, ofCycle] = (await page.evaluate(text("numbers"))).match(/^⟨S⟩ = (\S+) on the cycle, \S+ since the start/);
+    const spin = await page.evaluate("swirlPage.orbit.evidence.coordinate(0, 4)"); // of the fixed point: the same at each impact
+    assert.ok(Math.abs(Number(ofCycle.replace("−", "-")) - spin) < 1e-3 * Math.abs(spin), `${ofCycle} ${spin}`);
     // A chaotic one does not, and is not called so.
     await page.evaluate("swirlPage.change({ alpha: 0.3, beta: 0.1 })");
     await wait(4);
@@ -122,8 +154,8 @@ async function diagram(file) {
     await page.until(READY);
     await page.click("figure", 0.5, 0.5);
     assert.ok(Math.abs(await page.evaluate("swirlPage.scene.alpha") - 0.38) < 0.01);
-    const branch = await page.evaluate("(() => { const f = swirlPage.figure.figure, l = swirlPage.figure.diagram.lines[8]; " +
-      "return { x: f.toX((l.x[0] + l.x[1]) / 2) / f.width, y: f.toY(l.y[0]) / f.height }; })()");
+    const branch = await page.evaluate("(() => { const f = swirlPage.figure.figure, l = swirlPage.figure.diagram.lines[0]; " +
+      "return { x: f.toX((l.x[0] + l.x[1]) / 2) / f.width, y: f.toY((l.y[0] + l.y[1]) / 2) / f.height }; })()");
     await page.mouse("mouseMoved", await page.at("figure", branch.x, branch.y));
     assert.match(await page.evaluate(text("cell")), /^Here: cycle of period \d+, (un)?stable, α = 0\.3\d+, S = −?\d/);
     await page.evaluate("swirlPage.setPace('100')");

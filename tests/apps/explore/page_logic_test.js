@@ -60,6 +60,21 @@ test("the verdict claims no more than was seen", () => {
   assert.match(evidenceOf(repeated([1], 100)).verdict("in-contact").words, /no impact for 1000/);
 });
 
+test("of few impacts it says that they are few", () => {
+  assert.equal(evidenceOf([1, 2, 4]).verdict("completed").words, "too early to say: 3 impacts");
+  assert.equal(evidenceOf([1, 2, 4]).rateInWords(), "recurrence rate RC: of 32 impacts or more");
+  const apart = Array.from({ length: 2000 }, (_, i) => i);
+  assert.equal(evidenceOf(apart).rateInWords(), "recurrence rate RC = 0.00100 of the last 1,000 impacts, 1/n: no two have the same S");
+  assert.match(evidenceOf(repeated([1, 2], 2000)).rateInWords(), /^recurrence rate RC = 0\.500 of the last 1,000 impacts \(S the same/);
+});
+
+test("the mean of a cycle is not that of the way to it", () => {
+  const evidence = evidenceOf([...Array.from({ length: 100 }, () => 9), ...repeated([1, 2, 6], 301)]);
+  assert.equal(evidence.verdict("completed").period, 3);
+  assert.equal(evidence.meanOfLast(3), 3);
+  assert.ok(evidence.mean > 4);
+});
+
 test("the mean of S is that over time, and history keeps its length", () => {
   const evidence = evidenceOf(repeated([1, 3], 20001));
   assert.equal(evidence.mean, 2);
@@ -72,6 +87,8 @@ test("axes: cells, borders, logarithms, words", () => {
   assert.deepEqual(axis.edges.map((edge) => Number(edge.toFixed(12))), [0.1, 0.3, 0.5, 0.7]);
   assert.equal(axis.cellAt(0.31), 1);
   assert.equal(axis.valueAt(0.31234567), 0.312);
+  const odd = new Axis("beta", [0.1, 1.2 - 1.1 / 19, 1.2], false); // its edges have more digits than a place that is chosen
+  for (const place of odd.edges) assert.equal(odd.along(odd.valueAt(place)) >= odd.edges[0] && odd.valueAt(place) <= odd.edges[3], true);
   const falling = new Axis("mu", [0.8, 0.4, 0.1], false);
   assert.deepEqual([0, 0.3, 0.9].map((place) => falling.cellAt(place)), [2, 1, 0]);
   const decades = new Axis("mu", [0.01, 0.1, 1], true);
@@ -102,7 +119,7 @@ test("a sweep's cells, their modes and attractors with shares", () => {
   assert.deepEqual([0, 2, 3].map((cell) => map.modeOf(cell)), ["steady", "chaotic", "quasi-steady"]);
   assert.deepEqual(map.attractors(4).map(({ mode, period, share }) => [mode, period, share]),
                    [["quasi-steady", 8, 0.5], ["chaotic", 0, 0.5]]);
-  assert.equal(map.words(3), "α = 0.4, β = 0.1: quasi-steady, period 8, ⟨S⟩ = −1, 100 % of the starts");
+  assert.equal(map.words(3), "α = 0.4, β = 0.1: quasi-steady, period 8, ⟨S⟩ = −1, 2 of 2 starts");
   assert.equal(map.attractors(5)[0].spin, 0.1); // of the run that has a mean
 });
 
@@ -112,10 +129,23 @@ test("a diagram's lines are cut where branches end and where stability changes",
     parameter: column([1, 2, 3, 1, 2]), branch: column([0, 0, 0, 1, 1]), stable: column([1, 1, 0, 0, 0]),
     period: column([1, 1, 1, 2, 2]), S: column([5, null, 6, null, 7, null, 1, 2, 3, 4], [5, 2]) } } });
   assert.deepEqual(diagram.lines.map(({ x, y, stable }) => [...x, ...y, stable]),
-                   [[1, 2, 5, 6, true], [2, 3, 6, 7, false], [1, 2, 1, 3, false], [1, 2, 2, 4, false]]);
+                   [[1, 2, 5, 6, true], [2, 3, 6, 7, null], [1, 2, 1, 3, false], [1, 2, 2, 4, false]]);
   assert.equal(diagram.branchAt(1.5, 5.52, 0.1), "cycle of period 1, stable, α = 1.5, S = 5.5");
   assert.equal(diagram.branchAt(1.5, 2.05, 0.1), "cycle of period 2, unstable, α = 1.5, S = 2");
+  assert.equal(diagram.branchAt(2.5, 6.5, 0.1), "cycle of period 1, its stability changes near here, α = 2.5, S = 6.5");
   assert.equal(diagram.branchAt(1.5, 4.2, 0.1), "");
+});
+
+test("a branch is one line as far as it is as stable, and its lines meet at the special point", () => {
+  const column = (values, shape = [values.length]) => ({ values, shape });
+  const diagram = new Diagram({ settings: { along: "alpha", observable: "S" }, groups: {
+    branches: { parameter: column([1, 2, 3, 4, 5]), branch: column([0, 0, 0, 0, 0]), stable: column([1, 1, 1, 0, 0]),
+                period: column([1, 1, 1, 1, 1]), S: column([0, 2, 4, 6, 8], [5, 1]) },
+    special: { parameter: column([3.25, 3.5]), kind: column(["flip", "fold"]), period: column([2, 1]), S: column([0, 5], [2, 1]) } } });
+  assert.deepEqual(diagram.lines.map(({ x, y, stable }) => [x, y, stable]),
+                   [[[1, 2, 3, 3.5], [0, 2, 4, 5], true], [[3.5, 4, 5], [5, 6, 8], false]]);
+  assert.match(diagram.branchAt(3.4, 4.8, 0.01), /, stable, /);
+  assert.match(diagram.branchAt(3.6, 5.2, 0.01), /, unstable, /);
 });
 
 test("ticks are round, and numbers have their signs", () => {
@@ -132,6 +162,8 @@ test("the command has what is not the program's own choice", () => {
     "--restitution 0.9 --law newton --seed 3 --collisions 7");
   assert.match(page.commandOf({ ...scene, law: "poisson", uniform: false }, { x: 0.1, vx: -0.5 }, 1),
                /--inertia-factor 0\.5 --x=0\.1 --vx=-0\.5 --collisions 1$/);
+  assert.match(page.commandOf(scene, { seed: 3, usual: true }), /^swirl classify .* --seed 3$/);
+  assert.match(page.commandOf(scene, { seed: 3, usual: true }, 4352512), / --collisions 4352512 --every 4353$/);
 });
 
 const shipped = page.bytesOfBase64(fs.readFileSync(path.join(FOLDER, "swirl_map.wasm.base64"), "ascii"));

@@ -35,6 +35,7 @@ BallVector krawczyk_image(const BallSystem& system, const BallVector& middle, co
     const BallVector at_middle = system(middle).values;
     const auto rows = system(box).rows;
     const std::size_t n = middle.size();
+    if (at_middle.size() != n || rows.size() != n) return BallVector(n, Ball(1) / between(-1, 1));  // nothing is known
     BallVector away;
     for (std::size_t j = 0; j < n; ++j) away.push_back(box[j] - middle[j]);
     BallVector image;

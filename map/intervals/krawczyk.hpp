@@ -38,7 +38,8 @@ BallVector boxes(const BallVector& middle, const std::vector<double>& radii);
 /// C ≈ G′(m)⁻¹ from the midpoints of G′; not finite where it is singular.
 Eigen::MatrixXd approximate_inverse(const Linearisation& at);
 
-/// K. Cost: one evaluation at m, one over the box, n times the entries of G′.
+/// K; without bounds of a system of another number of equations than unknowns. Cost: one evaluation at m, one over the
+/// box, n times the entries of G′.
 ///   middle  exact points
 BallVector krawczyk_image(const BallSystem& system, const BallVector& middle, const BallVector& box,
                           const Eigen::MatrixXd& inverse);

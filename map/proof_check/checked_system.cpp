@@ -154,7 +154,7 @@ Balls stated_middle(const CheckedSystem& system) {
 bool holds_one_solution(const CheckedSystem& system, const Balls& middle, const Balls& box, Balls& image) {
     const Rows at = rows_of(system, middle), over = rows_of(system, box);
     const std::size_t n = box.size();
-    if (at.matrix.size() != n) return false;
+    if (at.matrix.size() != n || over.matrix.size() != n) return false;
     Eigen::MatrixXd rough(n, n);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) rough(i, j) = intervals::middle(at.matrix[i][j]);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
 #include <stdexcept>
@@ -67,6 +68,47 @@ TEST(Balls, KrawczykProvesTheZeroThatIsThereAndNoOther) {
     EXPECT_LT(radius(zero[0]), 1e-30);
     const BallVector both = boxes({Ball(0), Ball(0)}, {1.5, 1.5});  // two zeros: (1, 1) and (−1, −1)
     EXPECT_FALSE(lies_inside(krawczyk_image(circle_and_line, middles(both), both, inverse), both));
+}
+
+TEST(Balls, KrawczyksOperatorStartsFromZeroAndFromNothingElse) {
+    // x² + y² = 2, x = y, scaled; entries that are not listed are zero, and none stays from the call before.
+    const auto system = [](double scale, bool dense) {
+        return BallSystem([=](const BallVector& at) {
+            const Ball s(scale);
+            Linearisation result;
+            result.values = {s * (square(at[0]) - Ball(4)), s * (at[1] - Ball(3))};
+            result.rows = {{{0, s * Ball(2) * at[0]}}, {{1, s}}};
+            if (dense) {
+                result.rows[0].emplace_back(1, Ball(0));
+                result.rows[1].emplace_back(0, Ball(0));
+            }
+            return result;
+        });
+    };
+    const BallVector middle{Ball(2.001), Ball(2.999)}, box = boxes(middle, {0.01, 0.01});
+    const Eigen::MatrixXd inverse = approximate_inverse(system(1, true)(middle));
+    const BallVector dense = krawczyk_image(system(1, true), middle, box, inverse);
+    (void)krawczyk_image(system(1e6, true), middle, box, inverse);
+    const BallVector sparse = krawczyk_image(system(1, false), middle, box, inverse);
+    ASSERT_EQ(dense.size(), sparse.size());
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+        EXPECT_EQ(lower(dense[i]), lower(sparse[i]));
+        EXPECT_EQ(upper(dense[i]), upper(sparse[i]));
+    }
+    EXPECT_TRUE(lies_inside(sparse, box));
+}
+
+TEST(Balls, ASystemOfFewerEquationsThanUnknownsProvesNothing) {
+    const BallVector middle{Ball(2.001), Ball(2.999)}, box = boxes(middle, {0.01, 0.01});
+    for (const bool with_rows : {true, false}) {
+        const BallSystem system = [=](const BallVector& at) {
+            Linearisation result;
+            result.values = {square(at[0]) - Ball(4)};
+            if (with_rows) result.rows = {{{0, Ball(2) * at[0]}}};
+            return result;
+        };
+        EXPECT_FALSE(lies_inside(krawczyk_image(system, middle, box, Eigen::MatrixXd::Identity(2, 2)), box));
+    }
 }
 
 std::vector<BallVector> matrix_of(const std::vector<std::vector<double>>& rows) {

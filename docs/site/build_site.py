@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 LINKED = re.compile(r'(<(?:a|img)\b[^>]*?\b(?:href|src)=")([^"]*)(")')
 #: The pages that a reader wants first, in this order; the others follow by name.
 FIRST = [Path(name) for name in ("README.md", "gallery/gallery.md", "docs/install.md", "docs/tutorial.md", "docs/film-to-verdict.md", "docs/examples.md",
-                                 "docs/against-the-swirl.md", "docs/hysteresis.md", "docs/performance.md", "docs/python.md", "docs/library.md", "docs/command-line.md", "manual/swirl.md")]
+                                 "docs/against-the-swirl.md", "docs/hysteresis.md", "docs/from-the-paper-to-a-dish.md", "docs/performance.md", "docs/python.md", "docs/library.md", "docs/command-line.md", "manual/swirl.md")]
 #: The page of figures, where --gallery gives one.
 GALLERY = Path("gallery/gallery.md")
 #: What browsers show by themselves; other files are shown as text.

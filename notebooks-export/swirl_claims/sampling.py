@@ -19,12 +19,16 @@ LEAST_RUNS = 12
 #: Kinds of a run that has come to no attractor yet.
 NO_ATTRACTOR = ("transient", "none", "")
 
+#: The kind of a body that goes along with the floor and meets the wall no more: S = 0, and no impacts.
+RIDING = "riding"
+
 
 @dataclasses.dataclass(frozen=True)
 class Attractor:
     """Runs that came to one attractor: means of S, a value each."""
     kind: str
     share: float
+    period: int | None  #: of a cycle
     by_time: numpy.ndarray
     by_impact: numpy.ndarray
     recurrence: numpy.ndarray  #: RC without its diagonal
@@ -48,7 +52,7 @@ def attractors(swirl, runs, seed=1, **scene):
         own = [run for run in found["runs"] if run["attractor"] == place]
         of = {key: numpy.array([numpy.nan if run[key] is None else run[key] for run in own])
               for key in ("mean_S", "mean_S_per_impact", "recurrence_rate")}
-        groups.append(Attractor(str(attractor["kind"]), attractor["share"], of["mean_S"], of["mean_S_per_impact"],
+        groups.append(Attractor(str(attractor["kind"]), attractor["share"], attractor["period"], of["mean_S"], of["mean_S_per_impact"],
                                 (of["recurrence_rate"] * IMPACTS - 1) / (IMPACTS - 1)))
     return groups
 

@@ -49,6 +49,8 @@ struct StatedCertificate {
     std::optional<proof_check::StatedPlane> plane;  ///< of cells, in place of orbits
     std::optional<proof_check::StatedChaos> chaos;  ///< of sets and coverings, in place of orbits
     std::vector<StatedBranchOf> branches;           ///< in place of orbits
+
+    bool is_of_cycles() const { return !plane && !chaos && branches.empty(); }
 };
 
 /// @throws BadInput where the file is no certificate, was changed, or lacks a member; names the file

@@ -10,7 +10,6 @@
 #include "apps/output/wrapped.hpp"
 #include "apps/studies/certify/proven_branches.hpp"
 #include "map/model/parameter.hpp"
-#include "map/proof_check/stated_branch.hpp"
 
 #include <fmt/format.h>
 
@@ -355,51 +354,11 @@ int certify_branches(CertifyOptions& options) {
     const ProvenBranches found = options.branches ? covered(options) : followed(options, along);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     finish_up();
-    const std::string text = file || options.output.json ? document_of(options, found) : std::string();
-    if (file) write_certificate(*file, text);
-    if (options.output.json)
-        print_text(text);
-    else if (!options.output.quiet)
-        print_branches(found, seconds);
+    give(
+        options, file.get(), [&] { return document_of(options, found); }, [&] { print_branches(found, seconds); });
     if (!found.whole) return exit_interrupted;
     return found.found && found.proven() == found.branches.size() && found.proven() > 0 ? exit_done
                                                                                         : exit_numerical_ending;
-}
-
-int check_branches(const CertifyOptions& options, const StatedCertificate& stated) {
-    note_interruptions();
-    std::size_t holds = 0;
-    std::string refused;
-    for (const StatedBranchOf& branch : stated.branches) {
-        std::string why;
-        try {
-            why = proof_check::what_fails(branch.branch, is_interrupted);
-        } catch (const std::invalid_argument& error) {
-            why = error.what();
-        }
-        if (why.empty())
-            ++holds;
-        else if (refused.empty())
-            refused = fmt::format("branch {}: {}", branch.number, why);
-    }
-    finish_up();
-    const bool good = holds == stated.branches.size();
-    if (options.output.json) {
-        print_document([&](JsonWriter& json) {
-            json.member("stated", stated.branches.size());
-            json.member("proven", holds);
-            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
-            json.key("reason");
-            refused.empty() ? json.null() : json.value(refused);
-        });
-    } else if (!options.output.quiet) {
-        fmt::print("{} of {} branches that it states as proven are proven again\n", holds, stated.branches.size());
-        if (!refused.empty()) fmt::print("  {}\n", refused);
-        fmt::print("  why they end, their lengths and shares of a record are no part of that\n");
-        if (stated.interrupted) fmt::print("  it was interrupted: branches may be missing from it\n");
-    }
-    if (is_interrupted()) return exit_interrupted;
-    return good ? exit_done : exit_numerical_ending;
 }
 
 }  // namespace swirl::apps::certify

@@ -9,7 +9,6 @@
 #include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_chaos.hpp"
 #include "map/orbit/orbit.hpp"
-#include "map/proof_check/stated_chaos.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +18,6 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -301,44 +299,11 @@ int certify_chaos(CertifyOptions& options) {
         write_chaos_record(*files.record, found, settings_of(how));
         files.record->finish();
     }
-    const bool is_text = files.certificate || options.output.json;
-    const std::string text = is_text ? document_of(options, found, how) : std::string();
-    if (files.certificate) write_certificate(*files.certificate, text);
-    if (options.output.json)
-        print_text(text);
-    else if (!options.output.quiet)
-        print_chaos(options, found);
+    give(
+        options, files.certificate.get(), [&] { return document_of(options, found, how); },
+        [&] { print_chaos(options, found); });
     if (!found.whole) return exit_interrupted;
     return found.proven() ? exit_done : exit_numerical_ending;
-}
-
-int check_chaos(const CertifyOptions& options, const StatedCertificate& stated) {
-    note_interruptions();
-    std::string refused;
-    try {
-        refused = proof_check::what_fails(*stated.chaos, is_interrupted);
-    } catch (const std::invalid_argument& error) {
-        refused = error.what();
-    }
-    finish_up();
-    const std::size_t coverings = stated.chaos->coverings.size();
-    if (options.output.json) {
-        print_document([&](JsonWriter& json) {
-            json.member("stated", coverings);
-            json.member("proven", refused.empty() ? coverings : std::size_t{0});
-            json.member("entropy", refused.empty() ? stated.chaos->entropy : 0.0);
-            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
-            write_reason(json, refused);
-        });
-    } else if (!options.output.quiet) {
-        if (refused.empty())
-            fmt::print("all of the {} times that a set is carried over another are proven again: entropy >= {:.6f}\n",
-                       coverings, stated.chaos->entropy);
-        else
-            fmt::print("not proven again: {}\n", refused);
-    }
-    if (is_interrupted()) return exit_interrupted;
-    return refused.empty() ? exit_done : exit_numerical_ending;
 }
 
 }  // namespace swirl::apps::certify

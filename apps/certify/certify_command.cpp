@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 
 namespace swirl::apps::certify {
 
@@ -215,44 +214,6 @@ AskedCycles asked_cycles(const CertifyOptions& options) {
     return asked;
 }
 
-int check_certificate(const CertifyOptions& options) {
-    const StatedCertificate stated = read_certificate(options.check);
-    if (stated.plane) return check_plane(options, stated);
-    if (stated.chaos) return check_chaos(options, stated);
-    if (!stated.branches.empty()) return check_branches(options, stated);
-    std::size_t holds = 0;
-    std::string refused;
-    for (const StatedOrbit& orbit : stated.proven) {
-        std::string why;
-        try {
-            why = proof_check::what_fails(orbit.cycle);
-        } catch (const std::invalid_argument& error) {
-            why = error.what();
-        }
-        if (why.empty())
-            ++holds;
-        else if (refused.empty())
-            refused = fmt::format("orbit {}: {}", orbit.number, why);
-    }
-    const bool good = holds == stated.proven.size() && holds > 0;
-    if (options.output.json) {
-        print_document([&](JsonWriter& json) {
-            json.member("orbits", stated.orbits);
-            json.member("stated", stated.proven.size());
-            json.member("proven", holds);
-            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
-            json.key("reason");
-            refused.empty() ? json.null() : json.value(refused);
-        });
-    } else if (!options.output.quiet) {
-        fmt::print("{} of {} cycles that it states as proven are proven again\n", holds, stated.proven.size());
-        if (!refused.empty()) fmt::print("  {}\n", refused);
-        if (stated.interrupted) fmt::print("  it was interrupted: cycles may be missing from it\n");
-        if (stated.all) fmt::print("  that these are all fixed points is not checked\n");
-    }
-    return good ? exit_done : exit_numerical_ending;
-}
-
 CertifyFiles open_files(const CertifyOptions& options, const std::string& title) {
     constexpr std::string_view suffix = ".json";
     const std::string& name = options.certificate;
@@ -287,12 +248,9 @@ int certify(CertifyOptions& options) {
                           : options.from.empty() ? certified_near(options, scene)
                                                  : certified_attractor(options, scene);
     finish_up();
-    const std::string text = with_checksum(certificate_text(options, certified));
-    if (file) write_certificate(*file, text);
-    if (options.output.json)
-        print_text(text);
-    else if (!options.output.quiet)
-        print_certified(options, certified);
+    give(
+        options, file.get(), [&] { return with_checksum(certificate_text(options, certified)); },
+        [&] { print_certified(options, certified); });
     if (!certified.whole) return exit_interrupted;
     const bool as_asked = certified.found && certified.proven() == certified.orbits.size() &&
                           (!certified.all || certified.all->complete());

@@ -1,8 +1,10 @@
 // `swirl certify`: cycles proven by interval arithmetic, and their certificates checked.
 #pragma once
 
+#include "apps/certify/certificate_file.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/record/output_file.hpp"
 #include "apps/record/record_writer.hpp"
@@ -43,8 +45,6 @@ struct CertifyOptions {
     double max_time() const { return scene.longest_flight(longest, 12, 1000); }  ///< in 1/ω_s. @throws BadInput
 };
 
-struct StatedCertificate;
-
 extern const char* const certify_details;
 
 /// The cycles that are asked for: of a record, near a point, of the attractor, all fixed points.
@@ -68,6 +68,18 @@ struct CertifyFiles {
 /// Opened before any work. @throws BadInput
 CertifyFiles open_files(const CertifyOptions& options, const std::string& title);
 
+/// What was proven goes to the certificate, to standard output as JSON, or to it as a table.
+///   text  the certificate, made where it is asked for
+template <class Text, class Print>
+void give(const CertifyOptions& options, OutputFile* certificate, const Text& text, const Print& print) {
+    const std::string made = certificate != nullptr || options.output.json ? text() : std::string();
+    if (certificate != nullptr) write_certificate(*certificate, made);
+    if (options.output.json)
+        print_text(made);
+    else if (!options.output.quiet)
+        print();
+}
+
 int certify(CertifyOptions& options);
 /// --plane.
 int certify_plane(CertifyOptions& options);
@@ -75,12 +87,6 @@ int certify_plane(CertifyOptions& options);
 int certify_branches(CertifyOptions& options);
 /// --chaos.
 int certify_chaos(CertifyOptions& options);
-/// --check of its certificate.
-int check_chaos(const CertifyOptions& options, const StatedCertificate& stated);
-/// --check of a certificate of branches.
-int check_branches(const CertifyOptions& options, const StatedCertificate& stated);
-/// --check of a certificate of --plane.
-int check_plane(const CertifyOptions& options, const StatedCertificate& stated);
 /// --check.
 int check_certificate(const CertifyOptions& options);
 

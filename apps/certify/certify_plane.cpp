@@ -8,7 +8,6 @@
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_cells.hpp"
-#include "map/proof_check/stated_plane.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +19,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -208,42 +206,10 @@ int certify_plane(CertifyOptions& options) {
         write_plane_record(*files.record, scene, found);
         files.record->finish();
     }
-    const bool is_text = files.certificate || options.output.json;
-    const std::string text = is_text ? document_of(options, scene, found) : std::string();
-    if (files.certificate) write_certificate(*files.certificate, text);
-    if (options.output.json)
-        print_text(text);
-    else if (!options.output.quiet)
-        print_plane(options, found);
+    give(
+        options, files.certificate.get(), [&] { return document_of(options, scene, found); },
+        [&] { print_plane(options, found); });
     return found.whole ? exit_done : exit_interrupted;
-}
-
-int check_plane(const CertifyOptions& options, const StatedCertificate& stated) {
-    note_interruptions();
-    std::string refused;
-    try {
-        refused = proof_check::what_fails(*stated.plane, is_interrupted);
-    } catch (const std::invalid_argument& error) {
-        refused = error.what();
-    }
-    finish_up();
-    const std::size_t cells = stated.plane->proven.size();
-    const bool good = refused.empty() && cells > 0;
-    if (options.output.json) {
-        print_document([&](JsonWriter& json) {
-            json.member("stated", cells);
-            json.member("proven", good ? cells : std::size_t{0});
-            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
-            json.key("reason");
-            refused.empty() ? json.null() : json.value(refused);
-        });
-    } else if (!options.output.quiet) {
-        if (good) fmt::print("all of the {} cells that it states as proven are proven again\n", cells);
-        if (!refused.empty()) fmt::print("not proven again: {}\n", refused);
-        if (stated.interrupted) fmt::print("  it was interrupted: cells were not looked at\n");
-    }
-    if (is_interrupted()) return exit_interrupted;
-    return good ? exit_done : exit_numerical_ending;
 }
 
 }  // namespace swirl::apps::certify

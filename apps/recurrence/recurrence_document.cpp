@@ -1,5 +1,6 @@
 #include "apps/recurrence/recurrence_document.hpp"
 
+#include "apps/modes/verdict_in_words.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
@@ -221,12 +222,13 @@ void write_record(const RecordGroup& root, const RecurrenceReport& report) {
 
 namespace {
 
-/// " +- 0.002" behind a measure that is estimated.
-std::string error_in_words(const RecurrenceReport& report, const std::string& measure) {
-    for (const auto& [name, value] : errors_of(report))
-        if (const auto* error = std::get_if<double>(&value); name == measure && error && std::isfinite(*error))
-            return fmt::format(" +- {:.2g}", *error);
-    return "";
+/// A measure's value; of one that is estimated with its error, in as many digits as that leaves.
+std::string measure_in_words(const RecurrenceReport& report, const std::string& measure, double value) {
+    if (report.result.sampled)
+        for (const auto& [name, error] : errors_of(report))
+            if (const auto* number = std::get_if<double>(&error); name == measure && number && std::isfinite(*number))
+                return with_error(value, *number);
+    return fmt::format("{:.12g}", value);
 }
 
 }  // namespace
@@ -245,8 +247,8 @@ void print_table(const RecurrenceReport& report) {
     for (const auto& field : measure_table().fields) {
         if (!field.in_json) continue;
         fmt::print("\n{:<22}", field.name);
-        for (const auto& row : result.results) fmt::print(" {:>18.12g}", std::get<double>(field.read(row)));
-        if (result.sampled) fmt::print("{}", error_in_words(report, field.name));
+        for (const auto& row : result.results)
+            fmt::print(" {:>18}", measure_in_words(report, field.name, std::get<double>(field.read(row))));
     }
     fmt::print("\n");
     for (const auto& note : notes_of(report)) fmt::print("note: {}\n", note);

@@ -1,6 +1,8 @@
 """swirl recurrence, from outside: recurrence_command_test.py SWIRL REFERENCES"""
 
 import math
+import json
+import re
 import sys
 import tempfile
 import unittest
@@ -44,7 +46,14 @@ class RandomPairs(InFolder):
         command = f"recurrence {self.ROSSLER} --sample-pairs 20000"
         one, three = (run(f"{command} --json --threads {threads}").stdout for threads in (1, 3))
         self.assertEqual(one, three)
-        self.assertRegex(run(command).stdout, r"\nRR +[0-9.]+ \+- [0-9.e-]+\n")
+        shown = dict(re.findall(r"^(\w+) +([\d.]+ \+- [\d.]+)$", run(command).stdout, re.M))
+        found = json.loads(one)
+        self.assertEqual(list(shown), list(found["standard_errors"]))
+        for name, text in shown.items():  # as many decimals as the error leaves
+            value, error = text.split(" +- ")
+            self.assertEqual(len(value.split(".")[1]), len(error.split(".")[1]), text)
+            self.assertLess(abs(float(error) / found["standard_errors"][name] - 1), 0.4, text)
+            self.assertLess(abs(float(value) - found[name]), found["standard_errors"][name], text)
 
     def test_what_needs_all_pairs_is_refused(self):
         for extra, mention in (("--image 20 --json", "--image"), ("--threshold 1,2", "one threshold"), ("--theiler 0", "theiler"),

@@ -7,7 +7,6 @@ what is left of the claims on a bench."""
 
 import argparse
 import json
-import math
 import shutil
 import sys
 from pathlib import Path
@@ -21,6 +20,9 @@ from swirl_figures.output import save, write_whole
 
 MOST_RUNS = 100_000
 
+#: The program's own range of --drag, above 0.
+LEAST_DRAG, MOST_DRAG = 1e-75, 1000
+
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
@@ -30,8 +32,8 @@ def arguments():
     parser.add_argument("--drag", type=float, help="a floor that drags with gamma = G omega_s on velocity and spin (default: none)")
     parser.add_argument("--floor", choices=("dish", "table"), help="whose floor it is, with --drag (default dish)")
     options = parser.parse_args()
-    if options.drag is not None and not (math.isfinite(options.drag) and options.drag > 0):
-        fail(2, f"drag = {options.drag:g}: allowed is a number above 0")
+    if options.drag is not None and not LEAST_DRAG <= options.drag <= MOST_DRAG:
+        fail(2, f"drag = {options.drag:g}: allowed are {LEAST_DRAG:g} to {MOST_DRAG:g}")
     if options.floor and options.drag is None:
         fail(2, "--floor asks for --drag")
     if not LEAST_RUNS <= options.runs <= MOST_RUNS:

@@ -43,7 +43,10 @@ template <class Stated, class Check>
 Checked each_checked(const std::vector<Stated>& all, const char* noun, const Check& what_fails) {
     Checked found{all.size(), 0, {}};
     for (const Stated& one : all) {
-        if (is_interrupted()) break;
+        if (is_interrupted()) {
+            if (found.refused.empty()) found.refused = "the check was stopped";
+            break;
+        }
         const std::string why = failure_of([&] { return what_fails(one); });
         if (why.empty())
             ++found.proven;
@@ -81,7 +84,7 @@ void print_json(const StatedCertificate& stated, const Checked& found) {
         json.member("stated", found.stated);
         json.member("proven", found.proven);
         if (stated.chaos) json.member("entropy", found.holds() ? stated.chaos->entropy : 0.0);
-        json.member("outcome", stated.interrupted ? "interrupted" : "completed");
+        json.member("outcome", stated.interrupted || is_interrupted() ? "interrupted" : "completed");
         json.key("reason");
         found.refused.empty() ? json.null() : json.value(found.refused);
     });

@@ -174,9 +174,9 @@ class RecordFigure {
 
   /** The middle of the cell that an event points at; of a record that is no grid the place itself. */
   cellAt(event) {
-    const place = this.valuesAt(event);
-    if (!this.sweep || !this.sweep.isGrid) return place;
-    return Object.fromEntries(this.axes.map((axis) => [axis.name, axis.values[axis.cellAt(axis.along(place[axis.name]))]]));
+    if (!this.sweep || !this.sweep.isGrid) return this.valuesAt(event);
+    const { x, y } = this.figure.placeOf(event);
+    return Object.fromEntries(this.axes.map((axis, i) => [axis.name, axis.values[axis.cellAt(i === 0 ? x : y)]]));
   }
 
   valuesAt(event) {

@@ -89,7 +89,8 @@ class Page {
   }
 
   change(chosen) {
-    Object.assign(this.state, chosen);
+    for (const [name, value] of Object.entries(chosen))
+      this.state[name] = name in ALLOWED && !(this.axisOf(name) || {}).words ? this.held(name, value) : value;
     this.begin();
   }
 
@@ -156,7 +157,7 @@ class Page {
     const { evidence, outcome, ok } = this.orbit;
     if (!ok) {
       byId("verdict").textContent = "no such start: the body does not lie within the container";
-      byId("numbers").textContent = byId("rate").textContent = "";
+      for (const name of ["numbers", "rate", "command", "judge"]) byId(name).textContent = "";
       return;
     }
     const { words, period } = evidence.verdict(outcome);
@@ -216,18 +217,18 @@ class Page {
 
   /** A number of the scene, held within its range; what is none leaves the scene as it is. */
   enter(name, value) {
-    const held = Number.isFinite(value) ? this.held(name, value) : this.state[name];
-    this.change({ [name]: held });
-    if (Object.is(held, value)) return;
-    if (!Number.isFinite(value)) byId("held").textContent = `${symbolOf(name)} stays ${shortNumber(held)}: no number was entered`;
-    for (const input of document.querySelectorAll(`#scene input[data-name="${name}"]`)) input.value = held;
+    this.change({ [name]: Number.isFinite(value) ? value : this.state[name] });
+    if (this.state[name] === value) return;
+    if (!Number.isFinite(value)) byId("held").textContent = `${symbolOf(name)} stays ${shortNumber(this.state[name])}: no number was entered`;
+    for (const input of document.querySelectorAll(`#scene input[data-name="${name}"]`)) input.value = this.state[name];
   }
 
   /** Within what is allowed; where it was not, the page says so. */
   held(name, value) {
     const [low, high] = ALLOWED[name], inside = Math.min(high, Math.max(low, value));
     if (inside !== value)
-      this.notice = `${symbolOf(name)} = ${shortNumber(value)} is held to ${inside}: allowed are ${low} to ${high}`;
+      this.notice = [this.notice, `${symbolOf(name)} = ${shortNumber(value)} is held to ${inside}: allowed are ${low} to ${high}`]
+        .filter(Boolean).join("; ");
     return inside;
   }
 
@@ -303,7 +304,7 @@ class Page {
   toFirst() {
     Object.assign(this.state, this.first);
     byId("frame").value = "laboratory";
-    if (this.figure.sweep) for (const axis of this.figure.sweep.others) this.figure.sweep.at[axis.name] = axis.values.indexOf(this.state[axis.name]);
+    if (this.figure.sweep && this.figure.sweep.isGrid) for (const axis of this.figure.sweep.others) this.figure.sweep.at[axis.name] = axis.values.indexOf(this.state[axis.name]);
     this.figure.stale = true;
     for (const choice of document.querySelectorAll("#others select")) choice.value = String(this.figure.sweep.at[choice.dataset.name]);
     this.begin();
@@ -342,7 +343,7 @@ class Page {
       else if (name === "start") this.state.start = Number.isInteger(value) && this.data.starts[value] ? value : this.state.start;
       else if (axis && axis.words) this.state[name] = axis.words[value] === undefined ? this.state[name] : value;
       else if (name === "sides" && axis) this.state[name] = axis.values.includes(value) ? value : this.state[name];
-      else if (typeof this.state[name] === "number" && Number.isFinite(value) && text !== "") this.state[name] = value;
+      else if (typeof this.state[name] === "number" && Number.isFinite(value) && text.trim() !== "") this.state[name] = value;
     }
     for (const name of Object.keys(ALLOWED))
       if (!(this.axisOf(name) || {}).words) this.state[name] = this.held(name, Number(this.state[name]));

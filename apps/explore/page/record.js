@@ -227,6 +227,9 @@ function attractorsInWords(attractors, starts = Infinity) {
     `${mode}${period > 1 ? `, period ${period}` : ""}, ⟨S⟩ = ${shortNumber(spin)}, ${ofStarts(share)}`).join("; ");
 }
 
+const LOSES_STABILITY = ["fold", "flip", "neimark-sacker"];
+const ALIKE = 0.5; // of a step of a branch: a special point lies on the branch between its two cycles
+
 /** A diagram over one parameter: {axis, dots: [x, S, mode or null], lines, marks}. */
 class Diagram {
   constructor(record) {
@@ -248,7 +251,8 @@ class Diagram {
     if (special)
       special.parameter.values.forEach((x, i) => {
         const width = special[own].shape[1] || 1;
-        this.marks.push({ x, y: special[own].values[i * width], kind: special.kind.names
+        const heights = special[own].values.slice(i * width, (i + 1) * width).filter((y) => y !== null); // of the cycle's points
+        this.marks.push({ x, y: heights[0], heights, kind: special.kind.names
           ? special.kind.names[special.kind.values[i]] : special.kind.values[i], period: special.period.values[i] });
       });
     this.lines = branches ? this.linesOf(branches, own) : [];
@@ -278,10 +282,13 @@ class Diagram {
           continue;
         }
         const [before, after] = [i - 1, i].map((k) => stable.values[k] === 1), from = [x, pair[0]], to = [y, pair[1]];
-        const between = before !== after && this.marks.find((mark) => mark.period === cycle && (mark.x - x) * (mark.x - y) <= 0);
+        const on = (mark) => [mark.x, x === y ? to[1] : from[1] + (mark.x - x) / (y - x) * (to[1] - from[1])];
+        const near = ALIKE * (Math.abs(to[1] - from[1]) + LEAST_SPAN * Math.max(1, Math.abs(to[1])));
+        const between = before !== after && this.marks.find((mark) => LOSES_STABILITY.includes(mark.kind) && mark.period === cycle &&
+          (mark.x - x) * (mark.x - y) <= 0 && mark.heights.some((height) => Math.abs(height - on(mark)[1]) <= near));
         if (before === after || !between) add(from, to, before === after ? before : null, cycle);
         else {
-          const there = [between.x, x === y ? to[1] : from[1] + (between.x - x) / (y - x) * (to[1] - from[1])];
+          const there = on(between);
           add(from, there, before, cycle);
           add(there, to, after, cycle);
         }

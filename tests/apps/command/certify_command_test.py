@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 from certificates import with_new_checksum
-from driving import SWIRL, InFolder, document, run
+from driving import SWIRL, InFolder, document, run, start
 
 REFERENCES = Path(sys.argv.pop(1))
 EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 40
@@ -90,6 +90,24 @@ class Certify(InFolder):
             path.write_text(with_new_checksum(text.replace(old, new, 1)))
             result = run(f"certify --check {path}")
             self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (new, result.stderr))
+
+    def test_a_check_that_is_interrupted_says_so(self):
+        stated = json.loads(self.certificate().read_text())
+        stated.pop("checksum")
+        count = 4000  # some five seconds' work
+        stated["orbits"] = stated["orbits"] * count
+        file = self.file("many.json", with_new_checksum(json.dumps(stated)[:-1] + ',\n  "checksum"'))
+        for delay in (0.8, 1.6, 3.2):  # while the file is read a signal ends the program
+            process = start(f"certify --check {file} --json", stdout=subprocess.PIPE)
+            time.sleep(delay)
+            process.send_signal(signal.SIGINT)
+            said, _ = process.communicate(timeout=60)
+            if process.returncode == 130:
+                break
+        self.assertEqual(process.returncode, 130)
+        found = json.loads(said)
+        self.assertEqual((found["stated"], found["outcome"], found["reason"]), (count, "interrupted", "the check was stopped"))
+        self.assertLess(found["proven"], count)
 
     def test_a_file_that_is_no_certificate_is_bad_input(self):
         for content in ("", "{}", "no json", '{"certificate": "swirl"}', json.dumps({"orbits": []})):

@@ -148,8 +148,9 @@ class Script(unittest.TestCase):
         for arguments, mention in (((SWIRL, "-o", "/tmp", "--runs", "7"), "runs = 7: allowed are 12 to"),
                                    ((SWIRL, "-o", "/tmp", "--runs", "99999999999"), "runs = 99999999999"),
                                    (("/nonexistent", "-o", "/tmp"), "'/nonexistent' is no program"),
-                                   ((SWIRL, "-o", "/tmp", "--drag", "-1"), "drag = -1: allowed is"),
+                                   ((SWIRL, "-o", "/tmp", "--drag", "-1"), "drag = -1: allowed are 1e-75 to 1000"),
                                    ((SWIRL, "-o", "/tmp", "--drag", "nan"), "drag = nan"),
+                                   ((SWIRL, "-o", "/tmp", "--drag", "2000"), "drag = 2000: allowed are"),
                                    ((SWIRL, "-o", "/tmp", "--floor", "table"), "--floor asks for --drag"),
                                    ((SWIRL, "-o", file), "is no folder"), (("/bin/false", "-o", "/tmp"), "/bin/false classify")):
             done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", *arguments], capture_output=True,

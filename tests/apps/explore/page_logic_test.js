@@ -141,7 +141,8 @@ test("a branch is one line as far as it is as stable, and its lines meet at the 
   const diagram = new Diagram({ settings: { along: "alpha", observable: "S" }, groups: {
     branches: { parameter: column([1, 2, 3, 4, 5]), branch: column([0, 0, 0, 0, 0]), stable: column([1, 1, 1, 0, 0]),
                 period: column([1, 1, 1, 1, 1]), S: column([0, 2, 4, 6, 8], [5, 1]) },
-    special: { parameter: column([3.25, 3.5]), kind: column(["flip", "fold"]), period: column([2, 1]), S: column([0, 5], [2, 1]) } } });
+    special: { parameter: column([3.25, 3.3, 3.4, 3.5]), kind: column(["flip", "stick-slip", "fold", "fold"]), period: column([2, 1, 1, 1]),
+               S: column([4.5, 4.6, 40, 5], [4, 1]) } } }); // of another period, of no stability, of another branch, and its own
   assert.deepEqual(diagram.lines.map(({ x, y, stable }) => [x, y, stable]),
                    [[[1, 2, 3, 3.5], [0, 2, 4, 5], true], [[3.5, 4, 5], [5, 6, 8], false]]);
   assert.match(diagram.branchAt(3.4, 4.8, 0.01), /, stable, /);

@@ -65,6 +65,10 @@ def sides_of(points, way, sign):
     return yes, no, len(ends) - yes - no
 
 
+def _nothing_to_judge(parameter):
+    return VOID, f"the body rides with the floor at every {parameter}: S = 0"
+
+
 def _is_so(counts):
     """Surely not so nowhere, and so at half of the places or more."""
     yes, no, undecided = counts
@@ -83,7 +87,7 @@ def _in_words(points):
 def verdict_on_sign(points, sign):
     """(verdict, in numbers)."""
     if not _with_impacts(points):
-        return VOID, "the body rides with the floor at every alpha: S = 0"
+        return _nothing_to_judge("alpha")
     counts = {way: sides_of(points, way, sign) for way in WAYS}
     verdict = _verdict({way: _is_so(counts[way]) for way in WAYS}, counts["time"][1] > 0)
     means = [point.mean["time"] for point in _with_impacts(points)]
@@ -95,7 +99,7 @@ def verdict_on_sign(points, sign):
 def verdict_on_one(points):
     """(verdict, in numbers): that the time mean is 1, as J visited evenly would have it."""
     if not _with_impacts(points):
-        return VOID, "the body rides with the floor at every alpha: S = 0"
+        return _nothing_to_judge("alpha")
     judged = [point for point in _with_impacts(points) if point.kind not in NO_ATTRACTOR]
     near = [point.judged["time"][0] <= 1 <= point.judged["time"][1] for point in judged]
     means = [point.mean["time"] for point in _with_impacts(points)]
@@ -104,14 +108,14 @@ def verdict_on_one(points):
         f"{_in_words(points)}")
 
 
-def points_over_alpha(swirl, runs, mu, body, floor={}):
+def points_over_alpha(swirl, runs, mu, body, floor):
     """The intervals that decide are those of all places together (Bonferroni): one wrong in twenty such claims."""
     level = 1 - 0.05 / len(ALPHA)
     return [point_of(alpha, attractors(swirl, runs, sides=body, alpha=alpha, beta=BETA, mu=mu, restitution=1, **floor)[0], level)
             for alpha in ALPHA]
 
 
-def friction_grid(swirl, runs, floor={}):
+def friction_grid(swirl, runs, floor):
     """{mu: [(omega_s, runs)]} of the hexagon of Figure 7."""
     return {mu: [(omega, attractors(swirl, runs, sides=6, alpha=0.3, beta=BETA, mu=mu, restitution=1,
                                     speed=1 / (7 * omega), **floor)[0]) for omega in OMEGA] for mu in MU}
@@ -127,7 +131,7 @@ def _share_of_step(grid, way, random=None):
     for mu, groups in grid.items():
         values = numpy.concatenate([group.spins(way) for _, group in groups])
         values = values[numpy.isfinite(values)]  # by impact none where it rides
-        mean[mu] = numpy.nan if not len(values) else (values if random is None else random.choice(values, len(values))).mean()
+        mean[mu] = mean_of(values if random is None else random.choice(values, len(values)))
     with_friction = [mean[mu] for mu in MU if mu > 0]
     return (max(with_friction) - min(with_friction)) / abs(mean[0.0] - numpy.mean(with_friction)), mean
 
@@ -135,7 +139,7 @@ def _share_of_step(grid, way, random=None):
 def verdict_on_size(grid):
     """(verdict, in numbers): that mu > 0 matters less than a tenth of the step from mu = 0, and changes no sign."""
     if _rides_everywhere(grid):
-        return VOID, "the body rides with the floor at every mu: S = 0"
+        return _nothing_to_judge("mu")
     told, so, not_so = [], {}, {}
     for way in WAYS:
         share, mean = _share_of_step(grid, way)
@@ -159,7 +163,7 @@ def verdict_on_size(grid):
 def verdict_on_proportion(grid):
     """(verdict, in numbers): that S is the same at every omega_s, for each mu: the mean over omega_s lies in all intervals."""
     if _rides_everywhere(grid):
-        return VOID, "the body rides with the floor at every mu: S = 0"
+        return _nothing_to_judge("mu")
     level = 1 - 0.05 / (len(MU) * len(OMEGA))
     outside = {}
     for way in WAYS:
@@ -179,7 +183,7 @@ MODES = {"chaotic": dict(sides=6, alpha=0.3, beta=0.1, mu=0.1, restitution=1),
          "steady": dict(sides=6, alpha=0.4, beta=0.5, mu=0.5, restitution=0.9)}
 
 
-def recurrence_by_mode(swirl, runs, floor={}):
+def recurrence_by_mode(swirl, runs, floor):
     """{mode: attractor}: the scenes of MODES, named by the mode that they have without a floor."""
     return {mode: attractors(swirl, runs, **scene, **floor)[0] for mode, scene in MODES.items()}
 

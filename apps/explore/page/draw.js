@@ -51,7 +51,6 @@ class Figure {
   /** The margin holds the ordinate's numbers and its label. */
   setRange(x, y) {
     [this.x, this.y] = [x, y];
-    this.pen.font = FONT;
     const widest = Math.max(0, ...this.ticksUp().map(({ text }) => this.pen.measureText(text).width));
     this.margin.left = Math.max(66, Math.ceil(widest) + 30);
   }

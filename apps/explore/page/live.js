@@ -61,15 +61,18 @@ class LiveOrbit {
     let made = 0;
     do made += this.impacts(256);
     while (!this.ended && performance.now() - begin < milliseconds);
-    this.time = this.wayEnds;
-    this.trail = [];
-    this.keepTrail(this.time);
+    this.showLast();
     return made;
   }
 
   /** So many impacts at once. */
   ahead(count) {
     for (let made = 0; made < count && !this.ended; made += 256) this.impacts(Math.min(256, count - made));
+    this.showLast();
+  }
+
+  /** The picture's moment is the last impact; the centre's way there was too long to be drawn. */
+  showLast() {
     this.time = this.wayEnds;
     this.trail = [];
     this.keepTrail(this.time);

@@ -108,18 +108,16 @@ class Page {
     byId("origin").textContent = `${files.join(", ")}; page made by swirl explore ${this.data.swirl_version}`;
     const names = this.figure.axes.map((axis) => symbolOf(axis.name)).join(" and ");
     byId("figure").setAttribute("aria-label", `${kinds[first.kind]}, over ${names}. Arrows choose the scene.`);
-    const meant = { ...MEANINGS };
     for (const { colour, text, word } of this.figure.legend()) {
       const item = document.createElement("li"), patch = document.createElement("span");
       patch.style.background = colour;
       item.append(patch, text);
       byId("legend").append(item);
-      if (!meant[word]) continue;
-      item.title = meant[word];
+      if (!MEANINGS[word]) continue;
+      item.title = MEANINGS[word];
       const [name, meaning] = ["dt", "dd"].map((kind) => document.createElement(kind));
-      [name.textContent, meaning.textContent] = [word, meant[word]];
+      [name.textContent, meaning.textContent] = [word, MEANINGS[word]];
       byId("word-list").append(name, meaning);
-      delete meant[word];
     }
   }
 
@@ -210,9 +208,21 @@ class Page {
   }
 
   setOther(axis, place) {
-    this.figure.sweep.at[axis.name] = place;
+    this.state[axis.name] = axis.values[place];
+    this.showOthers();
+    this.begin();
+  }
+
+  /** The figure and the choices show the values that the state has of the other parameters, where the grid has them. */
+  showOthers() {
+    const { sweep } = this.figure;
+    if (!sweep || !sweep.isGrid) return;
+    for (const axis of sweep.others) {
+      const place = axis.values.indexOf(this.state[axis.name]);
+      if (place >= 0) sweep.at[axis.name] = place;
+    }
+    for (const choice of document.querySelectorAll("#others select")) choice.value = String(sweep.at[choice.dataset.name]);
     this.figure.stale = true;
-    this.change({ [axis.name]: axis.values[place] });
   }
 
   /** A number of the scene, held within its range; what is none leaves the scene as it is. */
@@ -304,9 +314,7 @@ class Page {
   toFirst() {
     Object.assign(this.state, this.first);
     byId("frame").value = "laboratory";
-    if (this.figure.sweep && this.figure.sweep.isGrid) for (const axis of this.figure.sweep.others) this.figure.sweep.at[axis.name] = axis.values.indexOf(this.state[axis.name]);
-    this.figure.stale = true;
-    for (const choice of document.querySelectorAll("#others select")) choice.value = String(this.figure.sweep.at[choice.dataset.name]);
+    this.showOthers();
     this.begin();
   }
 
@@ -347,6 +355,7 @@ class Page {
     }
     for (const name of Object.keys(ALLOWED))
       if (!(this.axisOf(name) || {}).words) this.state[name] = this.held(name, Number(this.state[name]));
+    this.showOthers();
   }
 
   // Frames.

@@ -230,6 +230,11 @@ function attractorsInWords(attractors, starts = Infinity) {
 const LOSES_STABILITY = ["fold", "flip", "neimark-sacker"];
 const ALIKE = 0.5; // of a step of a branch: a special point lies on the branch between its two cycles
 
+/** The ordinate at x of the straight line between two points; of the second where both lie above one another. */
+function heightAt(from, to, x) {
+  return from[0] === to[0] ? to[1] : from[1] + (x - from[0]) / (to[0] - from[0]) * (to[1] - from[1]);
+}
+
 /** A diagram over one parameter: {axis, dots: [x, S, mode or null], lines, marks}. */
 class Diagram {
   constructor(record) {
@@ -276,25 +281,28 @@ class Diagram {
         line.y.push(to[1]);
       };
       for (let i = 1; i < parameter.values.length; ++i) {
-        const cycle = period.values[i], [x, y] = [i - 1, i].map((k) => parameter.values[k]), pair = [spin(i - 1, p), spin(i, p)];
-        if (branch.values[i] !== branch.values[i - 1] || p >= cycle || pair.includes(null)) {
+        const cycle = period.values[i], [from, to] = [i - 1, i].map((k) => [parameter.values[k], spin(k, p)]);
+        if (branch.values[i] !== branch.values[i - 1] || p >= cycle || from[1] === null || to[1] === null) {
           line = null;
           continue;
         }
-        const [before, after] = [i - 1, i].map((k) => stable.values[k] === 1), from = [x, pair[0]], to = [y, pair[1]];
-        const on = (mark) => [mark.x, x === y ? to[1] : from[1] + (mark.x - x) / (y - x) * (to[1] - from[1])];
-        const near = ALIKE * (Math.abs(to[1] - from[1]) + LEAST_SPAN * Math.max(1, Math.abs(to[1])));
-        const between = before !== after && this.marks.find((mark) => LOSES_STABILITY.includes(mark.kind) && mark.period === cycle &&
-          (mark.x - x) * (mark.x - y) <= 0 && mark.heights.some((height) => Math.abs(height - on(mark)[1]) <= near));
-        if (before === after || !between) add(from, to, before === after ? before : null, cycle);
-        else {
-          const there = on(between);
+        const [before, after] = [i - 1, i].map((k) => stable.values[k] === 1);
+        const there = before === after ? null : this.changeBetween(from, to, cycle);
+        if (there) {
           add(from, there, before, cycle);
           add(there, to, after, cycle);
-        }
+        } else add(from, to, before === after ? before : null, cycle);
       }
     }
     return lines;
+  }
+
+  /** Where on the piece between two points of a branch the cycle's stability changes; null if the record has no such point. */
+  changeBetween(from, to, period) {
+    const near = ALIKE * (Math.abs(to[1] - from[1]) + LEAST_SPAN * Math.max(1, Math.abs(to[1])));
+    const found = this.marks.find(({ x, heights, kind, period: its }) => LOSES_STABILITY.includes(kind) && its === period &&
+      (x - from[0]) * (x - to[0]) <= 0 && heights.some((height) => Math.abs(height - heightAt(from, to, x)) <= near));
+    return found ? [found.x, heightAt(from, to, found.x)] : null;
   }
 
   /** The branch that passes a place within so much of the ordinate: "cycle of period 2, unstable, S = …". */
@@ -302,9 +310,9 @@ class Diagram {
     let found = "", least = within;
     for (const line of this.lines)
       for (let k = 1; k < line.x.length; ++k) {
-        const [from, to] = [line.x[k - 1], line.x[k]];
-        if (x < Math.min(from, to) || x > Math.max(from, to)) continue;
-        const at = from === to ? line.y[k] : line.y[k - 1] + (x - from) / (to - from) * (line.y[k] - line.y[k - 1]);
+        const [from, to] = [k - 1, k].map((end) => [line.x[end], line.y[end]]);
+        if (x < Math.min(from[0], to[0]) || x > Math.max(from[0], to[0])) continue;
+        const at = heightAt(from, to, x);
         if (!(Math.abs(at - y) <= least)) continue;
         least = Math.abs(at - y);
         const stability = line.stable === null ? "its stability changes near here" : line.stable ? "stable" : "unstable";

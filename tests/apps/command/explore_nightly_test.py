@@ -108,13 +108,15 @@ class MapNightly(WithPage):
 class BrowserNightly(WithPage):
     def test_the_page_in_chromium(self):
         for name, command in (("map", "sweep --sides 6 --mu 0.5 --restitution 0.9 --grid alpha=0.3:0.7:9 --grid beta=0.1:0.9:9 --runs 4"),
-                              ("diagram", "bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches")):
+                              ("diagram", "bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches"),
+                              ("grid", "sweep --sides 6 --restitution 0.9 --grid alpha=0.4:0.6:3 --grid beta=0.3:0.5:3 --grid mu=0.5,0.1")):
             made = run(f"{command} --quiet -o {name}.h5", cwd=self.folder)
             self.assertIn(made.returncode, (0, 3), made.stderr)
             made = run(f"explore {name}.h5 -o {name}.html --quiet", cwd=self.folder)
             self.assertEqual(made.returncode, 0, made.stderr)
         shots = Path(os.environ.get("SWIRL_SCREENSHOTS", self.folder))
-        made = subprocess.run([NODE, TESTS / "drive_page.js", self.folder / "map.html", self.folder / "diagram.html", shots],
+        made = subprocess.run([NODE, TESTS / "drive_page.js", self.folder / "map.html", self.folder / "diagram.html", shots,
+                               self.folder / "grid.html"],
                               capture_output=True, text=True, timeout=900)
         print(made.stdout)
         self.assertEqual(made.returncode, 0, made.stdout + made.stderr)

@@ -19,6 +19,7 @@ ROOT = Path(sys.argv.pop(1)).resolve()
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
 sys.path.insert(0, str(ROOT / "notebooks-export"))
 
+import paper_claims
 from swirl_claims import claims, sampling
 from swirl_claims.sampling import Attractor, LEAST_RUNS, attractors, interval
 
@@ -142,6 +143,11 @@ class Script(unittest.TestCase):
             self.assertEqual(told["without-friction"]["verdicts"]["disk"]["verdict"], "fails")  # S is what the start had
             self.assertEqual({path.name for path in Path(folder).glob("*.png")},
                              {f"{name}.png" for name in ("without-friction", "with-friction", "size-of-friction", "recurrence")})
+
+    def test_its_range_of_drag_is_the_programs(self):
+        refused = subprocess.run([SWIRL, *"simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --drag 2000".split()],
+                                 capture_output=True, text=True)
+        self.assertIn(f"0, or {paper_claims.LEAST_DRAG:g} to {paper_claims.MOST_DRAG:g}", refused.stderr)
 
     def test_wrong_input_is_one_line(self):
         file = ROOT / "README.md"

@@ -1,4 +1,4 @@
-// drive_page.js MAP.html DIAGRAM.html FOLDER: clicks, drags, keys and links of the page in chromium, at 1280 and at 400 pixels;
+// drive_page.js MAP.html DIAGRAM.html FOLDER GRID.html: clicks, drags, keys and links of the page in chromium, at 1280 and at 400 pixels;
 // what it draws, how fast, and that it asks for nothing from outside. Screenshots go to FOLDER.
 "use strict";
 
@@ -168,11 +168,34 @@ async function diagram(file) {
   }
 }
 
+/** Of a grid over three parameters the address, the choice and the figure show the same value of the third. */
+async function grid(file) {
+  const page = await open(`${pathToFileURL(file)}#mu=0.1`, 1280, 1000);
+  const shown = () => page.evaluate("({ mu: swirlPage.state.mu, at: swirlPage.figure.sweep.all[2].values[swirlPage.figure.sweep.at.mu], " +
+    "choice: document.querySelector('#others select').selectedOptions[0].text })");
+  try {
+    await page.until(READY);
+    assert.deepEqual(await shown(), { mu: 0.1, at: 0.1, choice: "0.1" });
+    for (const mu of [0.5, 0.1]) {
+      await page.evaluate(`(() => { const choice = document.querySelector("#others select");
+        choice.value = [...choice.options].find(({ text }) => text === "${mu}").value; choice.dispatchEvent(new Event("change")); })()`);
+      assert.deepEqual(await shown(), { mu, at: mu, choice: String(mu) });
+    }
+    await page.click("first");
+    const first = await page.evaluate("swirlPage.first.mu");
+    assert.deepEqual(await shown(), { mu: first, at: first, choice: String(first) });
+    nothingFromOutside(page);
+  } finally {
+    await page.close();
+  }
+}
+
 async function main() {
   const { frames, rate } = await explore(process.argv[2]);
   await narrow(process.argv[2], "map-400.png");
   await diagram(process.argv[3]);
   await narrow(process.argv[3], "diagram-400.png");
+  await grid(process.argv[5]);
   assert.ok(frames >= 30, `${frames} frames a second`); // 60 on a machine that does nothing else
   assert.ok(rate >= 1e5, `${rate} impacts a second`);
 }

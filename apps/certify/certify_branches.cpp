@@ -5,7 +5,6 @@
 #include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/studies/certify/proven_branches.hpp"
@@ -60,8 +59,7 @@ void write_end(JsonWriter& json, const BranchEnd& end, const ParameterRange& alo
     json.begin_object();
     json.list(along.name, std::vector<double>{end.parameter_low, end.parameter_high});
     json.end_object();
-    json.key("reason");
-    end.reason.empty() ? json.null() : json.value(end.reason);
+    write_reason(json, end.reason);
     json.end_object();
 }
 
@@ -104,8 +102,7 @@ void write_branch(JsonWriter& json, const CertifiedBranch& branch, const Paramet
     json.member("period", static_cast<std::int64_t>(branch.period));
     json.member("proven", branch.proof.proven());
     json.member("followed_from", number_of(scene, *along.parameter));
-    json.key("reason");
-    branch.proof.proven() ? json.null() : json.value(branch.proof.reason);
+    write_reason(json, branch.proof.proven() ? std::string() : branch.proof.reason);
     write_word(json, branch.proof.itinerary);
     if (branch.proof.proven()) {
         json.list("range", std::vector<double>{branch.proof.from, branch.proof.to});
@@ -296,7 +293,7 @@ bool is_isolated(const Scene<double>& scene, const ParameterRange& along) {
 /// The range that the record was asked for, in which branches may go on beyond their last cycles; that of the cycles
 /// alone where it is not told or reaches to where cycles come in families.
 ParameterRange range_of(const orbits::RecordCycles& cycles) {
-    const ParameterRange own = range_of_cycles(cycles);
+    ParameterRange own = range_of_cycles(cycles);
     if (cycles.range.empty()) return own;
     const bool counted = std::count(cycles.range.begin(), cycles.range.end(), ':') != 1;
     const ParameterRange asked = parameter_range_from(cycles.range, counted, true);

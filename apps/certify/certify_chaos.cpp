@@ -4,7 +4,6 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "apps/command_line/run_control.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_chaos.hpp"
@@ -27,11 +26,6 @@ namespace swirl::apps::certify {
 namespace {
 
 constexpr std::array coordinate_names{"psi", "chi", "vn", "vt", "S"};
-
-void write_reason(JsonWriter& json, const std::string& reason) {
-    json.key("reason");
-    reason.empty() ? json.null() : json.value(reason);
-}
 
 void write_cycles(JsonWriter& json, const ProvenChaos& found) {
     json.key("cycles");

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace swirl::apps::certify {
@@ -226,6 +227,21 @@ CertifyFiles open_files(const CertifyOptions& options, const std::string& title)
     files.certificate = open_certificate(is_certificate ? name : std::string(), options.output.force, inputs);
     files.record = open_record(output, title, inputs, options.scene.units());
     return files;
+}
+
+void give(const CertifyOptions& options, OutputFile* certificate, const std::function<std::string()>& text,
+          const std::function<void()>& print) {
+    const std::string made = certificate != nullptr || options.output.json ? text() : std::string();
+    if (certificate != nullptr) write_certificate(*certificate, made);
+    if (options.output.json)
+        print_text(made);
+    else if (!options.output.quiet)
+        print();
+}
+
+void write_reason(JsonWriter& json, const std::string& reason) {
+    json.key("reason");
+    reason.empty() ? json.null() : json.value(reason);
 }
 
 int certify(CertifyOptions& options) {

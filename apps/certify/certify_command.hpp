@@ -1,16 +1,15 @@
 // `swirl certify`: cycles proven by interval arithmetic, and their certificates checked.
 #pragma once
 
-#include "apps/certify/certificate_file.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/record/output_file.hpp"
 #include "apps/record/record_writer.hpp"
 #include "apps/studies/certify/certified_orbit.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,15 +69,11 @@ CertifyFiles open_files(const CertifyOptions& options, const std::string& title)
 
 /// What was proven goes to the certificate, to standard output as JSON, or to it as a table.
 ///   text  the certificate, made where it is asked for
-template <class Text, class Print>
-void give(const CertifyOptions& options, OutputFile* certificate, const Text& text, const Print& print) {
-    const std::string made = certificate != nullptr || options.output.json ? text() : std::string();
-    if (certificate != nullptr) write_certificate(*certificate, made);
-    if (options.output.json)
-        print_text(made);
-    else if (!options.output.quiet)
-        print();
-}
+void give(const CertifyOptions& options, OutputFile* certificate, const std::function<std::string()>& text,
+          const std::function<void()>& print);
+
+/// The member `reason`: why something is not proven, null where it is.
+void write_reason(JsonWriter& json, const std::string& reason);
 
 int certify(CertifyOptions& options);
 /// --plane.

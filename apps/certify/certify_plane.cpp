@@ -5,7 +5,6 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/studies/certify/proven_cells.hpp"
 
@@ -17,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,7 +2,6 @@
 #include "apps/certify/certificate_file.hpp"
 #include "apps/certify/certify_command.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "map/proof_check/stated_branch.hpp"
 #include "map/proof_check/stated_chaos.hpp"
 #include "map/proof_check/stated_cycle.hpp"
@@ -85,8 +84,7 @@ void print_json(const StatedCertificate& stated, const Checked& found) {
         json.member("proven", found.proven);
         if (stated.chaos) json.member("entropy", found.holds() ? stated.chaos->entropy : 0.0);
         json.member("outcome", stated.interrupted || is_interrupted() ? "interrupted" : "completed");
-        json.key("reason");
-        found.refused.empty() ? json.null() : json.value(found.refused);
+        write_reason(json, found.refused);
     });
 }
 

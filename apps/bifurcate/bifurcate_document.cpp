@@ -33,7 +33,7 @@ struct AttractorRow {
     const DiagramColumn* column;
     std::size_t number;  ///< the column's
     const Attractor* attractor;
-    const Eigen::VectorXd* state = nullptr;
+    const double* state = nullptr;  ///< coordinates of a sample
 };
 
 std::vector<AttractorRow> attractors_of(const DiagramColumn& column, std::size_t number) {
@@ -42,10 +42,54 @@ std::vector<AttractorRow> attractors_of(const DiagramColumn& column, std::size_t
     return rows;
 }
 
+/// The samples of attractors, one after the other: as a list of millions they would need more memory than they are.
+class SampleRows {
+public:
+    class Iterator {
+    public:
+        Iterator(const AttractorRow* first, const AttractorRow* last) : now_(first), last_(last) { pass_empty(); }
+        AttractorRow operator*() const {
+            AttractorRow row = *now_;
+            row.state = row.attractor->states.col(sample_).data();
+            return row;
+        }
+        Iterator& operator++() {
+            if (++sample_ < now_->attractor->states.cols()) return *this;
+            sample_ = 0;
+            ++now_;
+            pass_empty();
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return now_ == other.now_ && sample_ == other.sample_; }
+
+    private:
+        void pass_empty() {
+            while (now_ != last_ && now_->attractor->states.cols() == 0) ++now_;
+        }
+
+        const AttractorRow* now_;
+        const AttractorRow* last_;
+        Eigen::Index sample_ = 0;
+    };
+
+    explicit SampleRows(std::span<const AttractorRow> attractors) : attractors_(attractors) {}
+    Iterator begin() const { return {attractors_.data(), attractors_.data() + attractors_.size()}; }
+    Iterator end() const { return {attractors_.data() + attractors_.size(), attractors_.data() + attractors_.size()}; }
+    std::size_t size() const {
+        std::size_t count = 0;
+        for (const AttractorRow& row : attractors_) count += static_cast<std::size_t>(row.attractor->states.cols());
+        return count;
+    }
+
+private:
+    std::span<const AttractorRow> attractors_;
+};
+
 void write_samples(JsonWriter& json, const Attractor& attractor, const std::string& observable) {
-    const Eigen::Index place = attractor.states.empty() ? 0 : place_of(observable, attractor.states.front().size());
+    const Eigen::MatrixXd& states = attractor.states;
+    const Eigen::Index place = states.cols() == 0 ? 0 : place_of(observable, states.rows());
     json.begin_array();
-    for (const auto& z : attractor.states) json.value(z[place]);
+    for (const auto& z : states.colwise()) json.value(z[place]);
     json.end_array();
 }
 
@@ -80,7 +124,7 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
     const auto samples = [](const std::string& name) {
         return [name](JsonWriter& json, const Row& row) { write_samples(json, *row.attractor, name); };
     };
-    const auto count = [](const Row& row) { return row.attractor->states.size(); };
+    const auto count = [](const Row& row) { return row.attractor->states.cols(); };
     Table<Row> table =
         table_of("attractor", diagram,
                  {{"outcome", of(&Attractor::outcome), "", "how the orbit ended"},
@@ -105,8 +149,7 @@ Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram&
     using F = Field<AttractorRow>;
     const auto coordinate = [](const std::string& name) {  // found once: there are a million rows
         return [of_disk = place_of(name, 4), of_polygon = place_of(name, 5)](const AttractorRow& row) {
-            const Eigen::VectorXd& z = *row.state;
-            return z[z.size() == 4 ? of_disk : of_polygon];
+            return row.state[row.attractor->states.rows() == 4 ? of_disk : of_polygon];
         };
     };
     const std::string& observable = options.observable;
@@ -158,7 +201,7 @@ Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram
     const auto samples = [](JsonWriter& json, const Row& column) {
         json.begin_array();
         for (const auto& attractor : column.attractors)
-            for (const auto& z : attractor.states) json.value(z[z.size() - 1]);
+            for (const auto& z : attractor.states.colwise()) json.value(z[z.size() - 1]);
         json.end_array();
     };
     const auto attractors = [table = attractor_table(options, diagram)](JsonWriter& json, const Row& column) {
@@ -244,23 +287,17 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     const RecordGroup root = record.root();
     write_attributes(root.group("scene"), diagram_scene(options, diagram));
     write_attributes(root.group("settings"), diagram_settings(options, diagram));
-    std::vector<AttractorRow> attractors, samples;
-    std::size_t count = 0;
-    for (const DiagramColumn& column : diagram.columns)
-        for (const Attractor& attractor : column.attractors) count += attractor.states.size();
-    samples.reserve(count);
+    std::vector<AttractorRow> attractors;
     for (std::size_t c = 0; c < diagram.columns.size(); ++c)
-        for (AttractorRow row : attractors_of(diagram.columns[c], c)) {
-            attractors.push_back(row);
-            for (const auto& z : row.attractor->states) samples.push_back({row.column, row.number, row.attractor, &z});
-        }
+        for (const AttractorRow& row : attractors_of(diagram.columns[c], c)) attractors.push_back(row);
+    const SampleRows samples(attractors);
     if (!diagram.columns.empty()) write_record(root.group("columns"), column_table(options, diagram), diagram.columns);
     const std::vector<ColumnShare> shares = shares_of(diagram);
     if (!shares.empty()) write_record(root.group("shares"), share_table(diagram), shares);
     const std::vector<SteadyRow> steady = steady_of(diagram);
     if (!steady.empty()) write_record(root.group("steady_modes"), steady_table(diagram), steady);
     if (!attractors.empty()) write_record(root.group("attractors"), attractor_table(options, diagram), attractors);
-    if (!samples.empty()) write_record(root.group("samples"), sample_table(options, diagram), samples);
+    if (samples.size() > 0) write_record(root.group("samples"), sample_table(options, diagram), samples);
     if (options.branches) write_branches(root, branches_of(options, diagram), diagram.branches, options.observable);
     write_risk(root, diagram.risk);
     record.finish();

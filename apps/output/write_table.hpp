@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -112,10 +113,17 @@ void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows
             for (const Row& row : rows) texts.push_back(text_of(field.read(row)));
             group.write_strings(field.name, field.dimensions, texts, field.description);
         } else if (field.type == ElementType::float64) {
-            std::vector<double> numbers;
-            numbers.reserve(rows.size() * std::max<std::size_t>(1, field.row_length));
-            for (const Row& row : rows) append_numbers(numbers, field.read(row), field.row_length);
-            group.write<double>(field.name, field.dimensions, numbers, field.description);
+            auto column = group.column<double>(field.name, field.dimensions, field.description);
+            std::vector<double> numbers;  // a piece: a column of millions stays in the cache
+            const auto write = [&] {
+                column.append(numbers);
+                numbers.clear();
+            };
+            for (const Row& row : rows) {
+                append_numbers(numbers, field.read(row), field.row_length);
+                if (numbers.size() >= 4096) write();
+            }
+            write();
         } else {
             const auto append = column_of(group, field.name, field.type, field.dimensions, field.description);
             for (const Row& row : rows) append(field.read(row));

@@ -34,22 +34,29 @@ namespace {
 namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Copied once: documents may have tens of megabytes.
-py::bytes joined(const std::vector<std::string>& pieces) {
-    std::size_t size = 0;
-    for (const std::string& piece : pieces) size += piece.size();
-    PyObject* const whole = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size));
-    if (whole == nullptr) throw py::error_already_set();
-    char* place = PyBytes_AS_STRING(whole);
-    for (const std::string& piece : pieces) place = std::copy(piece.begin(), piece.end(), place);
-    return py::reinterpret_steal<py::bytes>(whole);
-}
+/// What a command has printed. Documents may have tens of megabytes: they become bytes where somebody reads them.
+struct PrintedText {
+    std::vector<std::string> pieces;
+
+    std::size_t size() const {
+        std::size_t size = 0;
+        for (const std::string& piece : pieces) size += piece.size();
+        return size;
+    }
+    py::bytes bytes() const {
+        PyObject* const whole = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size()));
+        if (whole == nullptr) throw py::error_already_set();
+        char* place = PyBytes_AS_STRING(whole);
+        for (const std::string& piece : pieces) place = std::copy(piece.begin(), piece.end(), place);
+        return py::reinterpret_steal<py::bytes>(whole);
+    }
+};
 
 py::tuple run(const std::vector<std::string>& words, const py::object& progress) {
     Look look;
     if (!progress.is_none())
         look = [&progress](const std::string& task, double total, double done) { progress(task, total, done); };
-    const CommandResult result = run_command(words, look);
+    CommandResult result = run_command(words, look);
     py::object raised = py::none();
     if (result.raised) {
         try {
@@ -58,7 +65,7 @@ py::tuple run(const std::vector<std::string>& words, const py::object& progress)
             raised = error.value();
         }
     }
-    return py::make_tuple(result.code, joined(result.text), result.messages, result.failure, raised);
+    return py::make_tuple(result.code, PrintedText{std::move(result.text)}, result.messages, result.failure, raised);
 }
 
 py::list commands() {
@@ -201,8 +208,9 @@ PYBIND11_MODULE(_swirl, m) {
     m.attr("version") = swirl::apps::version();
     m.attr("instruction_set") = swirl::apps::instruction_set();
     m.attr("outcomes") = py::tuple(py::cast(swirl::studies::outcome_names()));
+    py::class_<PrintedText>(m, "PrintedText").def("__len__", &PrintedText::size).def("__bytes__", &PrintedText::bytes);
     m.def("run", run, py::arg("words"), py::arg("progress") = py::none(),
-          "(exit code, bytes of standard output, messages, failure, what a signal raised) of a command line.");
+          "(exit code, PrintedText of standard output, messages, failure, what a signal raised) of a command line.");
     m.def("commands", commands, "The commands with their flags.");
     m.def("scene_names", scene_names, "The names of a scene's flags.");
     m.def("scene_of_record", scene_of_record, py::arg("record"), "Texts of a record's scene, by flag.");

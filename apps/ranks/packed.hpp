@@ -19,11 +19,11 @@
 namespace swirl::apps {
 
 template <class Part>
-void for_each_part(Eigen::VectorXd& numbers, Part&& part) {
-    Eigen::Index count = numbers.size();
-    part(count);
-    numbers.conservativeResize(count);
-    for (double& number : numbers) part(number);
+void for_each_part(Eigen::MatrixXd& numbers, Part&& part) {
+    Eigen::Index rows = numbers.rows(), columns = numbers.cols();
+    part(rows), part(columns);
+    numbers.resize(rows, columns);  // changes nothing of one that is packed
+    for (double& number : numbers.reshaped()) part(number);
 }
 
 class Packer {

@@ -113,7 +113,7 @@ class Result(Document):
     def _data(self):
         """Read when it is first asked for: ten megabytes of it take a fifth of a second."""
         if self._read is None:
-            self._read = json.loads(self._text) if self._text else {}
+            self._read = json.loads(bytes(self._text)) if self._text else {}
             self._text = None
         return self._read
 
@@ -201,7 +201,7 @@ class Result(Document):
         if self._file is not None:
             with open(self._file.path, "rb") as file:
                 content = file.read()
-        return _result_from, (self.command, json.dumps(self._data), content, self.exit_code, self.messages)
+        return _result_from, (self.command, json.dumps(self._data).encode(), content, self.exit_code, self.messages)
 
     def __repr__(self):
         singles = [f"{k} {_short.repr(v)}" for k, v in self._data.items()

@@ -84,7 +84,7 @@ private:
         const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
         const auto attractor = diagrams::settle(scene, start, settings, options_.control.stop);
         if (!attractor.finished || !diagrams::is_on_cycle(attractor) || attractor.period > options_.max_period) return;
-        follow(attractor.states, value);
+        follow(diagrams::points_of(attractor), value);
     }
 
     /// Members of families are no start: `continue_branch` follows isolated cycles.

@@ -64,6 +64,15 @@ PostImpactState<double> past_rebounds(const SceneMap<D>& map, PostImpactState<do
     return z;
 }
 
+/// Points of one size.
+template <class Points>
+Eigen::MatrixXd in_columns(const Points& points) {
+    if (points.empty()) return {};
+    Eigen::MatrixXd columns(points.front().size(), static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = points[i];
+    return columns;
+}
+
 /// The orbit's own samples once it is on the cycle that the verdict names.
 template <int D>
 void take_cycle(const SceneMap<D>& map, const analysis::Classification& verdict, PostImpactState<double> z,
@@ -73,7 +82,7 @@ void take_cycle(const SceneMap<D>& map, const analysis::Classification& verdict,
     if (verdict.kind == analysis::Kind::landing) z = past_rebounds(map, z);
     attractor.distance = settle_on(map, cycle, z);
     const bool on_it = attractor.distance <= settled || verdict.kind == analysis::Kind::family;
-    for (const auto& sample : on_it ? one_period(map, verdict.period, z) : cycle) attractor.states.emplace_back(sample);
+    attractor.states = in_columns(on_it ? one_period(map, verdict.period, z) : cycle);
 }
 
 /// As many impacts as the diagram wants. One that can only die away is waited for.
@@ -122,7 +131,7 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
             [&](const auto& map) { take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor); },
             contact_horizon, accuracy);
     else
-        attractor.states = std::move(samples.points);
+        attractor.states = in_columns(samples.points);
     return attractor;
 }
 
@@ -186,6 +195,12 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     Attractor attractor;
     settle_all({&one, 1}, settings, stop, [&](std::size_t, const Attractor& found) { attractor = found; });
     return attractor;
+}
+
+analysis::CyclePoints points_of(const Attractor& attractor) {
+    analysis::CyclePoints points;
+    for (const auto& state : attractor.states.colwise()) points.emplace_back(state);
+    return points;
 }
 
 }  // namespace swirl::studies::diagrams

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/mode.hpp"
+#include "analysis/curves/shooting_residual.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 #include "apps/studies/scene_map/accuracy.hpp"
 #include "apps/studies/scene_map/start.hpp"
@@ -49,8 +50,8 @@ struct Attractor {
     analysis::GrowthExponent growth;    ///< of one that is accelerated
     double limit_spin = analysis::nan;  ///< S* of one on a chord
     /// Coordinates: the kept states; on a cycle (`is_on_cycle`) one period of the orbit once it is on it, or of the
-    /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts.
-    std::vector<Eigen::VectorXd> states;
+    /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts. A column each.
+    Eigen::MatrixXd states;
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
 
@@ -58,8 +59,11 @@ struct Attractor {
 /// states are all of its samples, tens of thousands; where the map ends on the way round they are fewer.
 inline bool is_on_cycle(const Attractor& attractor) {
     return attractor.mode != analysis::Mode::undecided && attractor.period > 0 &&
-           attractor.states.size() == static_cast<std::size_t>(attractor.period);
+           attractor.states.cols() == attractor.period;
 }
+
+/// The states one by one.
+analysis::CyclePoints points_of(const Attractor& attractor);
 
 /// Calls part(…) with each of its members, for who sends it elsewhere.
 template <class Part>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
@@ -112,14 +113,13 @@ struct Searches {
 std::shared_ptr<Searches> searches_for(const DiagramSettings& settings, const analysis::Stop& stop,
                                        const Diagram& diagram) {
     const Scene<double> first = column_scene(settings, diagram.along.low);
-    std::map<std::size_t, std::vector<Seen>> by_period;
+    std::map<std::int64_t, std::vector<Seen>> by_period;
     std::size_t order = 0;
     for (const auto& column : diagram.columns)
         for (const auto& attractor : column.attractors) {
             ++order;
             if (!is_on_cycle(attractor) || attractor.period > settings.longest_branch) continue;
-            by_period[attractor.states.size()].push_back(
-                {order, column.parameter, attractor.states, attractor.distance});
+            by_period[attractor.period].push_back({order, column.parameter, points_of(attractor), attractor.distance});
         }
     auto searches = std::make_shared<Searches>();
     searches->scene = scene_branches(first, diagram.along, settings.samples.accuracy, stop);

@@ -45,7 +45,7 @@ TEST(StartingPointsOfRuns, AnUndecidedRunHasAllItsSamplesButNoCycle) {
     const auto run = undecided_run(p, 200);  // some one in thirty
     ASSERT_TRUE(run) << "no run to ask";
     const auto attractor = settled_on(p, *run);
-    EXPECT_GT(attractor.states.size(), 1000U);
+    EXPECT_GT(attractor.states.cols(), 1000);
     EXPECT_FALSE(diagrams::is_on_cycle(attractor));
     EXPECT_TRUE(starting_points_from(p, *run).empty());  // a system of so many points would not fit into memory
 }
@@ -54,7 +54,7 @@ TEST(StartingPointsOfRuns, ARunOnACycleLeadsToTheEndsOfItsBranches) {
     const Eigen::Vector2d p{0.4, 0.5};
     const auto attractor = settled_on(p, 0);
     ASSERT_TRUE(diagrams::is_on_cycle(attractor));
-    EXPECT_EQ(attractor.states.size(), static_cast<std::size_t>(attractor.period));
+    EXPECT_EQ(attractor.states.cols(), attractor.period);
     EXPECT_FALSE(starting_points_from(p, 0).empty());
 }
 

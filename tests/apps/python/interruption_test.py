@@ -29,8 +29,8 @@ SCRIPT = """
 import signal, sys, time
 sys.path.insert(0, sys.argv[1])
 import swirl
-print("begun", flush=True)
 try:
+    print("begun", flush=True)
     {call}
     print("over")
 except KeyboardInterrupt as interrupt:

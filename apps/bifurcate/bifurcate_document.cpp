@@ -42,7 +42,7 @@ std::vector<AttractorRow> attractors_of(const DiagramColumn& column, std::size_t
     return rows;
 }
 
-/// The samples of attractors, one after the other: as a list of millions they would need more memory than they are.
+/// The samples of attractors, one after the other. A list of them would take more memory than the samples themselves.
 class SampleRows {
 public:
     class Iterator {

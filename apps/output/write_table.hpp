@@ -104,6 +104,10 @@ void write_lists(JsonWriter& json, const Table<Row>& table, const Rows& rows) {
 
 // Records.
 
+/// A column of rows along one dimension is handed on in pieces of so many numbers, which stay in the cache: a diagram
+/// has millions of rows. Along several dimensions a piece would not be whole rows of the first one.
+inline constexpr std::size_t numbers_at_once = 4096;
+
 /// A dataset for each field, along dimensions that the group has already.
 template <class Row, class Rows>
 void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows& rows) {
@@ -114,14 +118,14 @@ void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows
             group.write_strings(field.name, field.dimensions, texts, field.description);
         } else if (field.type == ElementType::float64) {
             auto column = group.column<double>(field.name, field.dimensions, field.description);
-            std::vector<double> numbers;  // a piece: a column of millions stays in the cache
+            std::vector<double> numbers;
             const auto write = [&] {
                 column.append(numbers);
                 numbers.clear();
             };
             for (const Row& row : rows) {
                 append_numbers(numbers, field.read(row), field.row_length);
-                if (numbers.size() >= 4096) write();
+                if (table.dimensions.size() == 1 && numbers.size() >= numbers_at_once) write();
             }
             write();
         } else {

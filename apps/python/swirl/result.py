@@ -261,4 +261,4 @@ def _result_from(command, text, content, exit_code, messages):
         file = files.TemporaryFile(".h5")
         with open(file.path, "wb") as target:
             target.write(content)
-    return Result(command, text, file, exit_code, messages)
+    return Result(command, text.encode() if isinstance(text, str) else text, file, exit_code, messages)  # a text in old pickles

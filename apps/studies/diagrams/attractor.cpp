@@ -64,7 +64,7 @@ PostImpactState<double> past_rebounds(const SceneMap<D>& map, PostImpactState<do
     return z;
 }
 
-/// Points of one size.
+/// A matrix whose columns are these points; all have one size.
 template <class Points>
 Eigen::MatrixXd in_columns(const Points& points) {
     if (points.empty()) return {};
@@ -131,7 +131,7 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
             [&](const auto& map) { take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor); },
             contact_horizon, accuracy);
     else
-        attractor.states = in_columns(samples.points);
+        attractor.states = in_columns(std::exchange(samples.points, {}));  // a diagram has many
     return attractor;
 }
 

@@ -16,7 +16,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace swirl::studies::diagrams {
 
@@ -49,8 +48,9 @@ struct Attractor {
     MeanErrors mean_errors;             ///< of these two
     analysis::GrowthExponent growth;    ///< of one that is accelerated
     double limit_spin = analysis::nan;  ///< S* of one on a chord
-    /// Coordinates: the kept states; on a cycle (`is_on_cycle`) one period of the orbit once it is on it, or of the
-    /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts. A column each.
+    /// Each column has the coordinates of a state: the kept ones; on a cycle (`is_on_cycle`) one period of the orbit
+    /// once it is on it, or of the polished cycle where it comes nearer so slowly that it is not on it after some
+    /// 20,000 impacts.
     Eigen::MatrixXd states;
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
@@ -62,7 +62,7 @@ inline bool is_on_cycle(const Attractor& attractor) {
            attractor.states.cols() == attractor.period;
 }
 
-/// The states one by one.
+/// The states as a list, as `analysis/cycles` takes them.
 analysis::CyclePoints points_of(const Attractor& attractor);
 
 /// Calls part(…) with each of its members, for who sends it elsewhere.

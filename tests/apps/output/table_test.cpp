@@ -113,6 +113,43 @@ TEST(Table, RecordHasADatasetPerField) {
     EXPECT_TRUE(std::isnan(bounces[3])) << "a short list is filled up";
 }
 
+/// Rows that fill several pieces, along one dimension and along two, whose inner one divides no piece; with lists.
+TEST(Table, LongColumnsAreWhole) {
+    constexpr std::size_t outer = 71, inner = 73, length = 3;
+    std::vector<Ball> many;
+    for (std::size_t i = 0; i < outer * inner; ++i) {
+        Ball ball = balls[0];
+        ball.mass = static_cast<double>(i);
+        ball.bounces = {ball.mass, -ball.mass, 0.5};
+        many.push_back(ball);
+    }
+    const auto fields = [] {
+        return std::vector<Field<Ball>>{{"mass", &Ball::mass, "kg", "mass at rest"},
+                                        Field<Ball>{"bounces", &Ball::bounces, "s", "when"}.along({"bounce"}, length)};
+    };
+    const ScratchFolder folder;
+    const auto path = folder / "balls.h5";
+    apps::RecordWriter record(path, {"balls", "1", "generic"});
+    const auto line = record.root().group("line"), plane = record.root().group("plane");
+    line.dimension("bounce", length);
+    write_record(line, Table<Ball>{{"ball"}, fields()}, many);
+    plane.dimension("bounce", length);
+    plane.dimension("row", outer);
+    plane.dimension("column", inner);
+    write_columns(plane, Table<Ball>{{"row", "column"}, fields()}, many);
+    record.finish();
+    const apps::RecordReader reader(path);
+    for (const std::string group : {"/line", "/plane"}) {
+        const auto masses = reader.read<double>(group + "/mass"), bounces = reader.read<double>(group + "/bounces");
+        ASSERT_EQ(masses.size(), many.size()) << group;
+        ASSERT_EQ(bounces.size(), length * many.size()) << group;
+        for (std::size_t i = 0; i < many.size(); ++i) {
+            ASSERT_EQ(masses[i], many[i].mass) << group << ' ' << i;
+            for (std::size_t k = 0; k < length; ++k) ASSERT_EQ(bounces[length * i + k], many[i].bounces[k]) << group;
+        }
+    }
+}
+
 TEST(Table, AColumnHasUnitsAndAMeaningOrIsMarkedAsNone) {
     using Mass = decltype(&Ball::mass);
     static_assert(std::is_constructible_v<Field<Ball>, const char*, Mass, const char*, const char*>);

@@ -42,7 +42,9 @@ std::string locking_in_words(const DescribedFloor& d) {
         return fmt::format("no: (gamma + kappa gamma_r) rho is {:.6g} of the swirl's most", *d.floor.locking_ratio);
     const LockedRolling& locked = *d.floor.locked;
     if (!locked.holds) return fmt::format("no: friction holds it from mu = {:.6g} on", locked.friction);
-    return fmt::format("yes: psi = {:.9g}, S = {:.9g}", locked.psi, locked.spin);
+    const std::string found = fmt::format("yes: psi = {:.9g}, S = {:.9g}", locked.psi, locked.spin);
+    if (d.scene.restitution < 1) return found;
+    return found + (locked.bounce_decay > 0 ? "; bounces on it die away" : "; bounces on it grow");
 }
 
 Table<DescribedFloor> floor_table() {
@@ -67,6 +69,8 @@ Table<DescribedFloor> floor_table() {
              {"locked_S", locked(&LockedRolling::spin), "1", "S there"},
              {"locked_force", locked(&LockedRolling::force), "m R_c omega_s^2", "of the wall there"},
              {"locked_friction", locked(&LockedRolling::friction), "1", "friction that it needs"},
+             {"locked_bounce_decay", locked(&LockedRolling::bounce_decay), "omega_s",
+              "rate at which v^3 of an elastic disk's bounces on it falls"},
              F{"locking", locking_in_words, no_column}.table_only().shown("a disk rolls locked to the swirl", "{}")}};
 }
 

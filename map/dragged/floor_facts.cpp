@@ -23,6 +23,7 @@ FloorFacts floor_facts(const Scene<double>& scene) {
     locked.spin = -rho / scene.alpha;
     locked.force = scene.beta * (std::cos(locked.psi) - tilt * std::sin(locked.psi)) + rho;
     locked.friction = kappa * scene.turning_drag() * rho / locked.force;
+    locked.bounce_decay = drag - 2 * kappa * rho * scene.turning_drag() / locked.force;
     locked.holds = locked.force > 0 && scene.mu >= locked.friction;
     facts.locked = locked;
     return facts;

@@ -18,6 +18,9 @@ struct LockedRolling {
     double force = 0;     ///< λ, in m R_c ω_s²
     double friction = 0;  ///< μ from which on friction holds it
     bool holds = false;   ///< λ > 0 and μ is that large
+    /// Γ = γ − 2κργ_r/λ: about this motion an elastic disk bounces with v³/λ ∝ e^{−Γt}, v the small speed at which it
+    /// leaves the wall. Γ < 0: its bounces grow.
+    double bounce_decay = 0;
 };
 
 struct FloorFacts {

@@ -4,6 +4,7 @@
 #include "apps/studies/modes/chord_mode.hpp"
 #include "apps/studies/modes/contact_mode.hpp"
 #include "apps/studies/modes/naming.hpp"
+#include "apps/studies/modes/rolling_bounces.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
 #include "map/dragged/riding.hpp"
 
@@ -258,6 +259,7 @@ NamedMode name_from(const SceneMap<D>& map, const Scene<double>& scene, const Or
     look_for_landings(map, settings, named.verdict);
     if (named.outcome == Outcome::diverged) name_divergence(named);
     if constexpr (D == polygon_dimension) look_for_growth(map, scene, tail, named);
+    if constexpr (D == disk_dimension) look_for_rolling(map, scene, tail, named);
     named.mean_errors = errors_of_means(map, tail, named.verdict);
     return named;
 }

@@ -168,7 +168,8 @@ int classify_scene(ClassifyCommandOptions& options) {
         const auto judge = [&] {
             return classify_measured(options.input, options.scene, options.start, options.output, options.verbose);
         };
-        return options.input.series.each.empty() ? judge() : for_each_body(options.input.series, options.output, judge);
+        if (options.input.series.each.empty()) return judge();
+        return for_each_body(options.input.series, options.scene, options.start, options.output, judge);
     }
     const auto recorded = options.input.recorded(options.scene, options.start);
     if (recorded) {

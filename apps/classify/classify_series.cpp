@@ -41,14 +41,23 @@ position is never called steady or quasi-steady, since its distance from a centr
 namespace {
 
 /// The longest run of samples without a gap.
-MeasuredSeries longest_stretch(const MeasuredSeries& series) {
+/// Samples without a gap among them.
+struct Stretch {
+    std::size_t begin = 0, count = 0;
+};
+
+Stretch longest_stretch(const MeasuredSeries& series) {
     std::size_t best = 0, best_begin = 0, begin = 0;
     for (std::size_t i = 0; i <= series.values.size(); ++i) {
         if (i < series.values.size() && !std::isnan(series.values[i])) continue;
         if (i - begin > best) best = i - begin, best_begin = begin;
         begin = i + 1;
     }
-    return part_of(series, best_begin, best);
+    return {best_begin, best};
+}
+
+MeasuredSeries part_of(const MeasuredSeries& series, const Stretch& stretch) {
+    return part_of(series, stretch.begin, stretch.count);
 }
 
 struct SeriesVerdict {
@@ -201,13 +210,14 @@ double noise_of_spin(const MeasuredSeries& series, double of_angle) {
 }
 
 void judge_values(SeriesVerdict& v) {
-    v.used = longest_stretch(v.whole);
-    v.rows_used = v.used.values.size();
-    if (v.rows_used < analysis::fewest_samples && v.whole.gaps > 0)
+    const Stretch longest = longest_stretch(v.whole);
+    if (longest.count < analysis::fewest_samples && v.whole.gaps > 0)
         throw BadInput(
-            fmt::format("series: the longest of its stretches between {} gaps has {} samples; {} or more are "
-                        "needed (--rows impacts: a long step is a long flight, no gap)",
-                        v.whole.gaps, v.rows_used, analysis::fewest_samples));
+            fmt::format("series: the longest of its stretches between {} gaps has {} sample{}; {} or more are needed "
+                        "(--rows impacts: a long step is a long flight, no gap; a row without a value is one)",
+                        v.whole.gaps, longest.count, longest.count == 1 ? "" : "s", analysis::fewest_samples));
+    v.used = part_of(v.whole, longest);
+    v.rows_used = longest.count;
     analysis::ClassifySeriesOptions options = v.options;
     if (v.whole.quantity == spin_of_angle) options.noise = noise_of_spin(v.used, options.noise);
     v.verdict = analysis::classify_series(v.used.values, options);
@@ -284,7 +294,8 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
     v.options.noise = input.noise * (input.series.degrees ? pi<double>() / 180 : 1);
     if (!(v.options.noise >= 0 && std::isfinite(v.options.noise)))
         throw BadInput(fmt::format("noise = {}: must be >= 0, finite", input.noise));
-    v.options.sampled_flow = is_sampled_flow(input, longest_stretch(v.whole));
+    const Stretch longest = longest_stretch(v.whole);  // a single sample has no steps to look at
+    v.options.sampled_flow = is_sampled_flow(input, longest.count > 1 ? part_of(v.whole, longest) : v.whole);
     if (const auto threshold = input.threshold_->real()) v.options.recurrence_threshold = *threshold;
     if (const auto period = input.max_period_->number()) v.options.max_period = static_cast<int>(*period);
     std::optional<RecordWriter> record =

@@ -182,6 +182,7 @@ FallenBodies read_falls(FilmOptions& film, const FallsOptions& options) {
     require_no_dish(film);
     require_body(film.series, film.angle);
     FallenBodies read;
+    read.y_down = film.series.y_down;
     read.body = body_of(film, options);
     if (!options.gravity.empty()) read.setting.gravity = length_from("gravity", options.gravity);
     double shortest = analysis::infinity, longest = 0;

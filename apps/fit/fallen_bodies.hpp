@@ -29,6 +29,7 @@ struct FallenBodies {
     studies::FallenBody body;
     studies::FallsSetting setting;
     std::size_t rows = 0;  ///< of all files
+    bool y_down = false;   ///< y was said to point down in them
     std::vector<std::string> notes;
 };
 

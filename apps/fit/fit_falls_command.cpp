@@ -82,8 +82,10 @@ void require_fitted(const FallsReport& report) {
                 "--gravity G",
                 analysis::fewest_falling, analysis::fewest_falling_frames));
         case FallsFitOutcome::falls_up:
-            throw BadInput(fmt::format("falls: bodies fall towards larger y, by {:.4g} per time squared; give --y-down",
-                                       radius * falls.fall.model.gravity[1]));
+            throw BadInput(fmt::format("falls: bodies fall towards larger y{}, by {:.4g} per time squared; {} --y-down",
+                                       report.source.y_down ? " once it is turned" : "",
+                                       radius * falls.fall.model.gravity[1],
+                                       report.source.y_down ? "leave out" : "give"));
         case FallsFitOutcome::another_size:
             refuse(size_in_words(*falls.body, radius) + "; --side, --polygon-radius or --scale is not the films'");
             break;

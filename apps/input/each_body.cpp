@@ -5,6 +5,7 @@
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
+#include "apps/input/input_options.hpp"
 
 #include <fmt/format.h>
 
@@ -45,10 +46,11 @@ std::vector<std::string> ids_of(const SeriesChoice& series) {
 
 }  // namespace
 
-int for_each_body(SeriesChoice& series, const OutputOptions& output, const std::function<int()>& run) {
+int for_each_body(SeriesChoice& series, const SceneOptions& scene, const StartOptions& start,
+                  const OutputOptions& output, const std::function<int()>& run) {
     if (!output.record.empty())
         throw BadInput("--each gives an answer for each body, of which a record holds one: --where takes one");
-    series.check();
+    whole_choice(series, scene, start).check();
     series.table = series.read();
     const std::vector<std::string> ids = ids_of(series);
     const std::string column = std::exchange(series.each, "");

@@ -62,11 +62,15 @@ OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<
     return follow_orbit(scene, start, output, range(), names);
 }
 
-MeasuredSeries InputOptions::measured() const {
+SeriesChoice whole_choice(const SeriesChoice& series, const SceneOptions& scene, const StartOptions& start) {
     SeriesChoice choice = series;
     choice.angle = start.angle_text();
     choice.set_swirl_rate(scene.flag("swirl-rate", "1"));
-    return part_asked_for(read_series(choice), series.file);
+    return choice;
+}
+
+MeasuredSeries InputOptions::measured() const {
+    return part_asked_for(read_series(whole_choice(series, scene, start)), series.file);
 }
 
 MeasuredSeries InputOptions::part_asked_for(const MeasuredSeries& whole, const std::string& name) const {

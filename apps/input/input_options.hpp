@@ -44,6 +44,9 @@ struct InputOptions {
     MeasuredSeries part_asked_for(const MeasuredSeries& whole, const std::string& name) const;
 };
 
+/// With --angle and --swirl-rate, which are flags of start and scene.
+SeriesChoice whole_choice(const SeriesChoice& series, const SceneOptions& scene, const StartOptions& start);
+
 /// The text under --help that every command with these options shares.
 extern const char* const input_details;
 

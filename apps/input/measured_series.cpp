@@ -157,17 +157,53 @@ void cut_ends(std::vector<double>& times, std::vector<std::vector<double>>& colu
                     begin > 0 && after > 0 ? ", " : "", after > 0 ? rows(after) + " at the end" : ""));
 }
 
+/// What the values of an angle span, and its steps from row to row.
+struct AngleSteps {
+    double span = 0;
+    std::vector<double> sizes;
+
+    explicit AngleSteps(const std::vector<double>& values) {
+        double low = std::numeric_limits<double>::infinity(), high = -low, last = std::nan("");
+        for (const double value : values) {
+            if (std::isnan(value)) continue;
+            low = std::min(low, value), high = std::max(high, value);
+            if (!std::isnan(last)) sizes.push_back(std::abs(value - last));
+            last = value;
+        }
+        if (high >= low) span = high - low;
+    }
+    std::ptrdiff_t longer_than(double size) const {
+        return std::count_if(sizes.begin(), sizes.end(), [size](double step) { return step > size; });
+    }
+};
+
 /// A turn of degrees, of which rows step back by half and more: no angle in radians, unwound or not, does.
 bool come_round_at_360(const std::vector<double>& values) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    double low = std::numeric_limits<double>::infinity(), high = -low, last = none, step = 0;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        low = std::min(low, value), high = std::max(high, value);
-        if (!std::isnan(last)) step = std::max(step, std::abs(value - last));
-        last = value;
-    }
-    return high - low <= 360 && step > 180;
+    const AngleSteps steps(values);
+    return steps.span <= 360 && steps.longer_than(180) > 0;
+}
+
+/// The values stay within 1/N of a turn, and jump by nearly as much again and again: a tracker that cannot tell a
+/// polygon's sides apart. 0: they don't.
+int symmetry_seen(const std::vector<double>& values, double turn) {
+    constexpr int most = 12, fewest_jumps = 3;
+    constexpr double margin = 0.05, of_a_jump = 0.8;  // of the span
+    const AngleSteps steps(values);
+    if (!(steps.span > 0) || steps.longer_than(of_a_jump * steps.span) < fewest_jumps) return 0;
+    const double sides = std::round(turn / steps.span);
+    return sides >= 2 && sides <= most && std::abs(steps.span * sides / turn - 1) <= margin ? static_cast<int>(sides)
+                                                                                            : 0;
+}
+
+void note_symmetry(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
+                   const std::vector<double>& values, MeasuredSeries& series) {
+    if (choice.angle.empty() || choice.symmetry != 1) return;
+    const int sides = symmetry_seen(values, choice.degrees ? 360 : 2 * pi<double>());
+    if (sides == 0) return;
+    series.notes.push_back(
+        fmt::format("column {} stays within 1/{} of a turn and jumps by as much: if the tracker knows "
+                    "the angle but for that, --symmetry {} says so",
+                    column_name(file, column), sides, sides));
 }
 
 void note_degrees(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
@@ -217,6 +253,7 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
     series.clockwise = choice.is_angle() && choice.swirl_rate < 0;
     std::vector<std::vector<double>> values = values_of_motion(file, choice, columns, series);
     note_degrees(file, choice, columns.values.front(), values.front(), series);
+    note_symmetry(file, choice, columns.values.front(), values.front(), series);
     series.times = std::move(columns.times);
     if (columns.time) {
         series.time = column_name(file, *columns.time);

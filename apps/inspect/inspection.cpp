@@ -71,6 +71,12 @@ bool is_in_degrees(const DelimitedFile& file, std::size_t column, const std::vec
     return high - low > more_than_turn;
 }
 
+/// Degrees that only the span tells: an angle in radians that is unwound spans as much.
+bool is_guessed_in_degrees(const DelimitedFile& file, const SeriesChoice& asked, const SeriesChoice& chosen) {
+    if (chosen.angle.empty() || !chosen.degrees || asked.degrees) return false;
+    return file.layout.units.empty() || !names_degrees(file.layout.units[column_of(file, "--angle", chosen.angle)]);
+}
+
 bool says_what(const SeriesChoice& choice) {
     return choice.is_angle() || !choice.position.empty() || !choice.column.empty();
 }
@@ -145,6 +151,11 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     if (choice.symmetry == 1 && !one.is_angle() && !swirl_rate.empty())
         one.swirl_rate = 1, one.rate_unit = RateUnit::radians;
     read_chosen(one, found);
+    if (is_guessed_in_degrees(*rows, choice, one))
+        found.notes.push_back(
+            fmt::format("column {} is taken in degrees, for it spans more than a turn in radians does, and "
+                        "no unit is named: of unwound radians leave --degrees out",
+                        one.angle));
     if (found.in_frames) found.notes.emplace_back("times count frames: --fps F makes seconds of them");
     if (!column.empty()) {
         found.notes.push_back(fmt::format("what is said of rows and gaps is of body {}", found.bodies.ids.front()));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ std::vector<ModeRow> modes_of(const RampResult& result) {
     for (std::size_t i = 0; i < result.ramp.modes.size(); ++i)
         rows.push_back({&result.ramp.modes[i], result.branches ? &result.branches->ends[i] : nullptr});
     return rows;
+}
+
+/// Per 1/ω_s, or as it is given beside physical units: per second.
+std::string rate_in_words(double rate, const std::optional<Units>& units) {
+    return fmt::format("{:.3g}{}", in_units(rate, units, "omega_s"), units ? " per s" : "");
 }
 
 /// Which way the parameter goes.
@@ -229,9 +235,9 @@ void print_ramp(const RampOptions& options, const RampResult& result) {
         print_table(in_units(mode_table(along, options.branches), units), modes_of(result));
     }
     const std::string ending =
-        fmt::format("{}; {} impacts in {}, {} from {:g} to {:.10g} at a rate of {:.3g}", outcome_of(result.ramp),
+        fmt::format("{}; {} impacts in {}, {} from {:g} to {:.10g} at a rate of {}", outcome_of(result.ramp),
                     result.ramp.impacts, with_unit(result.ramp.time, units, "1/omega_s"), along, settings.begin(),
-                    result.ramp.parameter, settings.rate());
+                    result.ramp.parameter, rate_in_words(settings.rate(), units));
     fmt::print("{}\n", wrapped(ending, 4));
 }
 

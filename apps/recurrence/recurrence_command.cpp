@@ -186,7 +186,8 @@ void RecurrenceOptions::add_to(Flags& command) {
 int quantify_recurrence(RecurrenceOptions& options) {
     check_flags(options);
     if (!options.input.series.each.empty())
-        return for_each_body(options.input.series, options.output, [&] { return quantify_recurrence(options); });
+        return for_each_body(options.input.series, options.input.scene, options.input.start, options.output,
+                             [&] { return quantify_recurrence(options); });
     std::vector<std::string> inputs = options.input.files();
     inputs.push_back(options.cross);
     std::optional<RecordWriter> record = open_record(options.output, "Recurrence quantification", inputs);

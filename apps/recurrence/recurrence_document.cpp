@@ -228,7 +228,7 @@ std::string measure_in_words(const RecurrenceReport& report, const std::string& 
         for (const auto& [name, error] : errors_of(report))
             if (const auto* number = std::get_if<double>(&error); name == measure && number && std::isfinite(*number))
                 return with_error(value, *number);
-    return fmt::format("{:.12g}", value);
+    return std::isnan(value) ? "-" : fmt::format("{:.12g}", value);
 }
 
 }  // namespace

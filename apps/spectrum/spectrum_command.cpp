@@ -208,7 +208,8 @@ int find_spectrum(SpectrumOptions& options) {
     check_flags(options);
     options.input.kind();
     if (!options.input.series.each.empty())
-        return for_each_body(options.input.series, options.output, [&] { return find_spectrum(options); });
+        return for_each_body(options.input.series, options.input.scene, options.input.start, options.output,
+                             [&] { return find_spectrum(options); });
     std::optional<RecordWriter> record = open_record(options.output, "Power spectrum", options.input.files());
     SpectrumSignal signal = signal_of(options);
     if (is_interrupted()) return exit_interrupted;

@@ -160,8 +160,9 @@ void print_table(const SpectrumReport& report) {
     else
         fmt::print("{} samples every {}, {} segments of {}; ", s.samples,
                    with_unit(report.signal.spacing, units, "1/omega_s"), s.segments, s.segment_length);
-    fmt::print("variance {}, entropy {:.4f}\n{} ({:.1f} % in lines)\n",
-               with_unit(s.variance, units, units_of(report).variance), report.entropy, name_of(report.share.verdict),
+    fmt::print("variance {}, entropy {}\n{} ({:.1f} % in lines)\n",
+               with_unit(s.variance, units, units_of(report).variance),
+               std::isnan(report.entropy) ? "-" : fmt::format("{:.4f}", report.entropy), name_of(report.share.verdict),
                100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
     std::vector<SpectralPeak> peaks = report.peaks;

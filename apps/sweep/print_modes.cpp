@@ -33,14 +33,14 @@ std::size_t most_shared(const CellSummary& cell) {
 }
 
 /// The mode that most runs of a cell have, apart of what rides and what else is steady; a capital letter if all have
-/// it.
+/// it. Of two that have as many it is the first of: steady, riding, quasi-steady, chaotic, undecided, as in figures.
 char letter_of(std::span<const RunResult> runs) {
     CellSummary cell = summary_of(runs);
     const auto riding = static_cast<double>(std::count_if(runs.begin(), runs.end(), is_riding));
     const double rides = runs.empty() ? 0 : riding / static_cast<double>(runs.size());
     cell.shares[0] -= rides;
     const std::size_t most = most_shared(cell);
-    if (rides > cell.shares[most]) return rides == 1 ? 'R' : 'r';
+    if (rides > cell.shares[most] || (rides == cell.shares[most] && most != 0)) return rides == 1 ? 'R' : 'r';
     constexpr std::string_view all = "SQC?", some = "sqc-";
     return cell.shares[most] == 1 ? all[most] : some[most];
 }

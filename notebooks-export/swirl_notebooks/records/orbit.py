@@ -1,6 +1,7 @@
 # %% [markdown]
 # ## The orbit
-# A row an impact: the state just after it, and what it did. In flight the centre moves uniformly and S is constant.
+# A row an impact: the state just after it, and what it did. In flight the centre moves uniformly and S is constant, unless
+# the floor drags.
 # %%
 impacts = group("collisions")
 impacts[["t", "psi", "vn", "vt", "spin", "flight_time"]].to_dataframe().head()

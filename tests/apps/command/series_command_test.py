@@ -1,5 +1,6 @@
 """Measured series and records as input to recurrence, spectrum and classify: series_command_test.py SWIRL REFERENCES"""
 
+import json
 import math
 import random
 import sys
@@ -215,6 +216,45 @@ class Motion(InFolder):
                 self.assertEqual((result.returncode, result.stdout), (2, ""), (command, flags))
                 self.assertEqual(len(result.stderr.splitlines()), 1)
                 self.assertIn(said, result.stderr)
+
+    def test_flags_of_an_angle_go_with_each_body(self):
+        rows = [(i, body, round(math.degrees(0.02 * (body + 1) * i), 6)) for i in range(300) for body in (0, 1)]
+        file = self.rows("bodies.csv", "frame,particle,theta", rows)
+        for command in ("classify", "recurrence", "spectrum"):
+            whole = run(f"{command} --series {file} --angle theta --degrees --symmetry 2 --fps 30 --each particle --json")
+            self.assertEqual(whole.returncode, 0, whole.stderr)
+            for number, found in enumerate(json.loads(whole.stdout)["bodies"]):
+                alone = document(f"{command} --series {file} --angle theta --degrees --symmetry 2 --fps 30 --where particle={number}")
+                self.assertEqual({**found, "swirl_version": 0}, {**alone, "swirl_version": 0}, command)
+            missing = run(f"{command} --series {file} --degrees --fps 30 --each particle")
+            self.assertEqual((missing.returncode, missing.stdout), (2, ""), command)
+            self.assertIn("--angle COLUMN is missing", missing.stderr)
+        proposed = next(line for line in run(f"inspect {file} --fps 30").stdout.splitlines() if line.startswith("command"))
+        self.assertEqual(run(proposed.split("swirl ", 1)[1]).returncode, 0, proposed)
+
+    def test_an_angle_known_up_to_a_side_is_noted(self):
+        for sides, turn, flags in ((6, 360, "--degrees"), (4, 2 * math.pi, "")):
+            angles = [0.03 * i % (2 * math.pi / sides) * turn / (2 * math.pi) for i in range(600)]
+            file = self.rows("sides.csv", "t,angle", [(0.1 * i, a) for i, a in enumerate(angles)])
+            self.assertIn(f"--symmetry {sides}", run(f"classify --series {file} --angle angle {flags}").stdout)
+            self.assertNotIn("stays within", run(f"classify --series {file} --angle angle {flags} --symmetry {sides}").stdout)
+        for name, angles in (("unwound", [0.03 * i for i in range(600)]), ("swinging", [0.7 * math.sin(0.2 * i) for i in range(600)]),
+                             ("whole turns", [0.03 * i % (2 * math.pi) for i in range(600)])):
+            file = self.rows("whole.csv", "t,angle", [(0.1 * i, a) for i, a in enumerate(angles)])
+            self.assertNotIn("--symmetry", run(f"classify --series {file} --angle angle").stdout, name)
+
+    def test_degrees_that_are_guessed_are_noted(self):
+        for header, noted in (("t,angle", True), ("t,angle (deg)", False)):
+            file = self.rows("span.csv", header, [(0.1 * i, 0.1 * i) for i in range(400)])
+            said = " ".join(run(f"inspect {file}").stdout.split())
+            self.assertIn("--degrees", said)
+            self.assertEqual("of unwound radians leave --degrees out" in said, noted, header)
+
+    def test_stretches_of_one_value_are_no_series(self):
+        file = self.rows("holes.csv", "S", [(i / 7,) if i % 2 == 0 else (math.nan,) for i in range(400)])
+        result = run(f"classify --series {file}")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("the longest of its stretches between 199 gaps has 1 sample; 64 or more are needed", result.stderr)
 
 
 class ClassifySeries(InFolder):

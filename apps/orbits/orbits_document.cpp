@@ -118,21 +118,27 @@ constexpr const char* none_reason =
     "no cycle exists: with e < 1 every impact lowers J (without friction) or the energy (without swirl)";
 
 /// How each period was searched.
-Table<PeriodSearch> search_table() {
+Table<PeriodSearch> search_table(bool has_drag) {
     using F = Field<PeriodSearch>;
+    const char* const period_of = has_drag ? "of the cycles" : "of period 1 those through contact alone";
+    const char* const cycles_of =
+        has_drag ? "of that period that candidates led to" : "of that period, through contact if it is 1";
     const auto of = [](auto member) { return [member](const PeriodSearch& s) { return s.unseen.*member; }; };
     using analysis::UnseenCycles;
-    return {{"search"},
-            {F{"period", &PeriodSearch::period, "1", "of period 1 those through contact alone"},
-             F{"candidates", &PeriodSearch::tried, "1", "points at which Newton's method began"},
-             F{"converged", &PeriodSearch::converged, "1", "candidates that led to a cycle"},
-             F{"cycles", of(&UnseenCycles::found), "1", "of that period, through contact if it is 1"},
-             F{"samples", of(&UnseenCycles::samples), "1", "candidates that led to one of them"},
-             F{"found_once", of(&UnseenCycles::once), "1", "cycles that one candidate led to"},
-             F{"found_twice", of(&UnseenCycles::twice), "1", "cycles that two candidates led to"},
-             F{"missed", of(&UnseenCycles::missed), "1", "estimate of cycles not found (Chao 1984)"},
-             F{"least_missed", of(&UnseenCycles::least_missed), "1", "its interval at 95 %"},
-             F{"most_missed", of(&UnseenCycles::most_missed), "1", "its interval at 95 %"}}};
+    return {
+        {"search"},
+        {F{"period", &PeriodSearch::period, "1", period_of},
+         F{"candidates", &PeriodSearch::tried, "1", "points at which Newton's method began"},
+         F{"converged", &PeriodSearch::converged, "1", "candidates that led to a cycle"},
+         F{"cycles", of(&UnseenCycles::found), "1", cycles_of},
+         F{"from_equations", &PeriodSearch::from_equations, "1", "cycles that only the steady modes' equations led to"}
+             .when(has_drag),
+         F{"samples", of(&UnseenCycles::samples), "1", "candidates that led to one of them"},
+         F{"found_once", of(&UnseenCycles::once), "1", "cycles that one candidate led to"},
+         F{"found_twice", of(&UnseenCycles::twice), "1", "cycles that two candidates led to"},
+         F{"missed", of(&UnseenCycles::missed), "1", "estimate of cycles not found (Chao 1984)"},
+         F{"least_missed", of(&UnseenCycles::least_missed), "1", "its interval at 95 %"},
+         F{"most_missed", of(&UnseenCycles::most_missed), "1", "its interval at 95 %"}}};
 }
 
 std::string in_words(const SteadySearch& steady, const std::optional<Units>& units) {
@@ -150,18 +156,22 @@ std::string in_words(const SteadySearch& steady, const std::optional<Units>& uni
     return steady.is_complete() ? all : all + "; there are more";
 }
 
-std::string in_words(const PeriodSearch& search, bool is_rounded) {
+std::string in_words(const PeriodSearch& search, const FoundOrbits& found) {
     const auto& u = search.unseen;
-    // No equations give a rounded body's fixed points, and its contact is not followed.
-    std::string words =
-        fmt::format("period {}{}: {} cycles from {} candidates", search.period,
-                    search.period == 1 && !is_rounded ? ", through contact" : "", u.found, search.tried);
+    const bool through_contact = search.period == 1 && found.steady;  // the others are known from their equations
+    std::string words = fmt::format("period {}{}: {} cycles from {} candidates", search.period,
+                                    through_contact ? ", through contact" : "", u.found, search.tried);
+    if (search.from_equations > 0)
+        return words + fmt::format(
+                           ", and {} more from the equations of steady modes, on a grid: strongly unstable ones "
+                           "are hard to come to, so that candidates don't tell how many are missing",
+                           search.from_equations);
     if (u.found == 0) return words;
     words += fmt::format("; {} were found once, {} twice: ", u.once, u.twice);
     words += u.missed < 0.5 ? "fewer than one is missing, if all are as easy to find"
                             : fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed,
                                           u.least_missed, u.most_missed);
-    if (is_rounded && search.period == 1) words += "; strongly unstable ones are harder to find";
+    if (search.period == 1 && !found.steady) words += "; strongly unstable ones are harder to find";
     return words;
 }
 
@@ -202,7 +212,7 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
         write_json(json, "orbits", cycle_table(scene, found, 1), found.cycles);
         json.key("fixed_points");
         write_steady(json, found.steady);
-        write_json(json, "searches", search_table(), found.searches);
+        write_json(json, "searches", search_table(scene.has_drag()), found.searches);
         json.member("candidates", found.tried);
         json.member("converged", found.converged);
         if (found.none_exist) json.member("none_exist", none_reason);
@@ -221,8 +231,7 @@ void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, cons
     fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(options.scene.units()),
                found.interrupted ? "  interrupted\n" : "");
     if (found.steady) fmt::print("{}\n", wrapped("  " + in_words(*found.steady, options.scene.units()), 4));
-    for (const auto& search : found.searches)
-        fmt::print("{}\n", wrapped("  " + in_words(search, scene.is_rounded()), 4));
+    for (const auto& search : found.searches) fmt::print("{}\n", wrapped("  " + in_words(search, found), 4));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);
     if (found.cycles.empty()) {
@@ -242,7 +251,7 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
     const RecordGroup root = record.root();
     write_attributes(root.group("scene"), scene_settings(scene));
     write_attributes(root.group("settings"), orbits_settings(options));
-    if (!found.searches.empty()) write_record(root.group("searches"), search_table(), found.searches);
+    if (!found.searches.empty()) write_record(root.group("searches"), search_table(scene.has_drag()), found.searches);
     const RecordGroup group = root.group("orbits");
     if (found.steady) {
         group.attribute("max_time", found.steady->max_time);

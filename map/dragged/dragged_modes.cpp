@@ -226,7 +226,8 @@ Steps steps_of(const Equations<rule>& equations, double longest, double fastest)
 }
 
 template <ImpactRule rule>
-std::vector<Solution> solutions(const Equations<rule>& equations, double longest, double fastest) {
+std::vector<Solution> solutions(const Equations<rule>& equations, double longest, const DraggedModesOptions& options) {
+    const double fastest = options.fastest_spin;
     const double spacing = equations.spacing();
     const double widest =
         equations.is_disk() ? 0 : spacing / 2 - std::asin(equations.body().alpha * std::sin(spacing / 2));
@@ -239,6 +240,7 @@ std::vector<Solution> solutions(const Equations<rule>& equations, double longest
     for (long long j = first; j <= last; ++j)
         for (const bool beyond : {false, true}) {
             if (beyond && equations.is_disk()) continue;
+            if (options.stop && options.stop()) return found;
             Rows<rule> grid(equations, j, beyond, widest);
             std::vector<Unknowns> starts;
             for (int i = 1; i <= rows; ++i) {
@@ -293,7 +295,7 @@ DraggedModes dragged_modes(const Scene<double>& scene, const DraggedModesOptions
         const Equations<rule> equations(scene);
         result.searched_to = affordable(equations, options);
         const steady::MapOfScene seen = seen_map(map);
-        for (const Solution& solution : solutions(equations, result.searched_to, options.fastest_spin)) {
+        for (const Solution& solution : solutions(equations, result.searched_to, options)) {
             ++result.candidates;
             const SectionPoint<double> z = equations.point(solution.x, solution.j);
             if (!(std::abs(z.spin) <= options.fastest_spin) ||

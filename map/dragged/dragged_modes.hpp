@@ -13,13 +13,15 @@
 #include "map/steady/verified_mode.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace swirl {
 
 struct DraggedModesOptions {
-    double longest_flight = 12;  ///< τ, in 1/ω_s; (0, 10⁴]
-    double fastest_spin = 10;    ///< |S| ≤ this
+    double longest_flight = 12;       ///< τ, in 1/ω_s; (0, 10⁴]
+    double fastest_spin = 10;         ///< |S| ≤ this
+    std::function<bool()> stop = {};  ///< true: the search ends with what it has
 };
 
 struct DraggedModes {

@@ -255,6 +255,41 @@ class Drag(InFolder, every_command.FollowedOrRefused):
         fast = document("describe --sides disk --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.5 --drag 0.2")["floor"]
         self.assertFalse(fast["rolls_locked"])
 
+    def test_orbits_has_every_steady_mode_of_describe(self):
+        few = "--starts 100 --trajectories 1 --collisions 200"
+        for scene in ("--sides 4 --alpha .5 --beta .2 --mu .4 --restitution .85", "--sides 6 --alpha .4 --beta .5 --mu .5 --restitution .9"):
+            found = document(f"orbits {scene} --drag .05 --period 1 {few}")
+            points = [orbit["points"][0] for orbit in found["orbits"]]
+            modes = document(f"describe {scene} --drag .05")["steady_modes"]
+            self.assertGreater(len(modes), 5)
+            for mode in modes:
+                near = min(max(abs(point[key] - mode["point"][key]) for key in ("chi", "vn", "vt", "S")) for point in points)
+                self.assertLess(near, 1e-8, (scene, mode))
+            search, = found["searches"]
+            self.assertGreater(search["from_equations"], 0)
+            self.assertEqual(search["cycles"] + search["from_equations"], len(points))
+            self.assertEqual(sum(orbit["found"] == 0 for orbit in found["orbits"]), search["from_equations"])
+        self.assertNotIn("from_equations", document(f"orbits {scene} --period 1 {few}")["searches"][0])
+
+    def test_an_elastic_disk_bounces_ever_lower_to_rolling(self):
+        scene = "--sides disk --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
+        for drag in (0.01, 0.1):
+            verdict = document(f"classify {scene} --drag {drag}")
+            self.assertEqual((verdict["mode"], verdict["kind"]), ("steady", "rolling"), drag)
+            self.assertAlmostEqual(verdict["mean_S"], -0.7 / 0.3, delta=1e-12)
+            floor = document(f"describe {scene} --drag {drag}")["floor"]
+            # The orbit of an integrator that knows nothing of this: its v^2 tau falls at the same rate.
+            rows = document(f"simulate {scene} --drag {drag} --collisions 20001 --skip 18000")["collisions"]
+            first, last = rows[0], rows[-1]
+            size = [2 * math.log(0.5 * math.sin(row["psi"]) - row["vn"]) + math.log(after["flight_time"])
+                    for row, after in ((rows[0], rows[1]), (rows[-2], rows[-1]))]
+            rate = (size[0] - size[1]) / (rows[-2]["t"] - first["t"])
+            self.assertAlmostEqual(rate / floor["locked_bounce_decay"], 1, delta=0.02, msg=drag)
+        ring = "--sides disk --alpha 0.3 --beta 0.1 --mu 5 --restitution 1 --inertia-factor 1 --drag 0.05"
+        self.assertLess(document(f"describe {ring}")["floor"]["locked_bounce_decay"], 0)
+        self.assertIn("bounces on it grow", run(f"describe {ring}").stdout)
+        self.assertNotEqual(document(f"classify {ring}")["kind"], "rolling")
+
     def test_a_cycle_is_found_and_continued(self):
         """The hexagon's steady mode goes on from gamma = 0."""
         found = document(f"continue {HEXAGON} --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along drag=0:0.02")

@@ -36,6 +36,11 @@ struct FloorFacts {
     std::optional<LockedRolling> locked;  ///< if it is
 };
 
+/// The same of a disk without friction, which slides: ψ of κ = 0, no force of friction, S → 0 (γ_r = 0: NaN, S stays),
+/// Γ = γ. Nothing where the drag takes it along (γρ > β √(1 + γ²[table])), or of a polygon.
+/// @throws std::invalid_argument if a parameter is out of range
+std::optional<LockedRolling> locked_sliding(const Scene<double>& scene);
+
 /// @throws std::invalid_argument if a parameter is out of range
 FloorFacts floor_facts(const Scene<double>& scene);
 

@@ -23,11 +23,11 @@ double leaving_speed(const Scene<double>& scene, const PostImpactState<double>& 
     return scene.beta * z.psi.y - z.vn;
 }
 
-/// Low bounces displace the motion in proportion to their speed v.
+/// Low bounces displace the motion in proportion to their speed v. Nothing couples the spin of sliding to them.
 bool is_near(const Scene<double>& scene, const LockedRolling& rolling, const PostImpactState<double>& z) {
     const double v = leaving_speed(scene, z), bounce = 2 * v / rolling.force;
     return v > 0 && bounce <= longest_bounce && std::abs(std::atan2(z.psi.y, z.psi.x) - rolling.psi) <= bounce &&
-           scene.alpha * std::abs(z.spin - rolling.spin) <= v;
+           (scene.mu == 0 || scene.alpha * std::abs(z.spin - rolling.spin) <= v);
 }
 
 /// −d ln(v³/λ)/dt over the next impacts, by least squares; v³/λ of a bounce is v²τ/2. Nothing where one of them slips,
@@ -41,7 +41,7 @@ std::optional<double> measured_decay(const DiskMap& map, const Scene<double>& sc
         const auto step = map.advance(z);
         if (!step.alive) return {};
         const Letter letter = letter_from(step.letter);
-        if (letter.through_contact || !ends_in_stick(letter.mode)) return {};
+        if (letter.through_contact || (scene.mu > 0 && !ends_in_stick(letter.mode))) return {};
         times.push_back(time);
         logarithms.push_back(std::log(std::pow(leaving_speed(scene, z), 2) * step.duration));
         time += step.duration;
@@ -59,20 +59,21 @@ void look_for_rolling(const DiskMap& map, const Scene<double>& scene, const anal
     auto& verdict = named.verdict;
     if (tail.ended || verdict.mode != analysis::Mode::undecided) return;
     if (scene.restitution != 1 || scene.tangential_restitution != 0 || !scene.has_drag()) return;
-    const std::optional<LockedRolling> rolling = floor_facts(scene).locked;
-    if (!rolling || !rolling->holds || !(rolling->bounce_decay > 0)) return;
+    const bool slides = scene.mu == 0;
+    const std::optional<LockedRolling> rolling = slides ? locked_sliding(scene) : floor_facts(scene).locked;
+    if (!rolling || !rolling->holds || !(rolling->bounce_decay > 0) || std::isnan(rolling->spin)) return;
     const auto decay = measured_decay(map, scene, *rolling, tail.last);
     if (!decay || !(std::abs(*decay / rolling->bounce_decay - 1) <= bounce_rate_margin)) return;
     verdict.mode = analysis::Mode::steady;
-    verdict.kind = analysis::Kind::rolling;
+    verdict.kind = slides ? analysis::Kind::sliding : analysis::Kind::rolling;
     verdict.mean = verdict.mean_per_step = rolling->spin;
     verdict.rotation = analysis::nan;
     verdict.evidence = {
         {"decay rate of v^3 of its bounces", *decay, rolling->bounce_decay,
-         fmt::format("for {} impacts it bounces about rolling without slip, locked to the swirl, and the "
-                     "bounces die away at the rate that the drag predicts: with e = 1 it never lands, and "
-                     "S tends to {:.9g}",
-                     rolling_bounces, rolling->spin),
+         fmt::format(
+             "for {} impacts it bounces about {}, locked to the swirl, and the bounces die away at the rate that "
+             "the drag predicts: with e = 1 it never lands, and S tends to {:.9g}",
+             rolling_bounces, slides ? "sliding along the wall" : "rolling without slip", rolling->spin),
          fmt::format("off that rate by more than {:g} %: it would not be on its way there", 100 * bounce_rate_margin)}};
 }
 

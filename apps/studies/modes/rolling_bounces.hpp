@@ -1,4 +1,4 @@
-// Is an elastic disk over a floor that drags on its way to rolling? map/dragged/README.md, "Rolling"
+// Is an elastic disk over a floor that drags on its way to rolling or sliding? map/dragged/README.md, "Rolling"
 #pragma once
 
 #include "analysis/classification/tail.hpp"
@@ -18,8 +18,8 @@ inline constexpr double bounce_rate_margin = 0.1;
 
 /// Names an orbit that its tail leaves undecided: `rolling`, with S = −ρ/α, the limit that it tends to. Of e = 1, a
 /// floor that drags, and locked rolling whose bounces die away: its next impacts all stick, stay as near to the rolling
-/// motion as low bounces do, and v³/λ falls at the rate Γ. Otherwise nothing is changed. Cost: 512 impacts where the
-/// last state is near rolling.
+/// motion as low bounces do, and v³/λ falls at the rate Γ. Without friction likewise `sliding`, with S → 0 where the
+/// floor drags the spin. Otherwise nothing is changed. Cost: 512 impacts where the last state is near that motion.
 void look_for_rolling(const SceneMap<disk_dimension>& map, const Scene<double>& scene,
                       const analysis::Tail<SceneMap<disk_dimension>>& tail, NamedMode& named);
 

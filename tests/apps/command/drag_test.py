@@ -285,6 +285,10 @@ class Drag(InFolder, every_command.FollowedOrRefused):
                     for row, after in ((rows[0], rows[1]), (rows[-2], rows[-1]))]
             rate = (size[0] - size[1]) / (rows[-2]["t"] - first["t"])
             self.assertAlmostEqual(rate / floor["locked_bounce_decay"], 1, delta=0.02, msg=drag)
+        frictionless = "--sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --drag 0.1"
+        slides = document(f"classify {frictionless}")
+        self.assertEqual([slides[key] for key in ("mode", "kind", "mean_S")], ["steady", "sliding", 0])
+        self.assertEqual(document(f"classify {frictionless} --spin-drag 0")["kind"], "transient")  # its S is any
         ring = "--sides disk --alpha 0.3 --beta 0.1 --mu 5 --restitution 1 --inertia-factor 1 --drag 0.05"
         self.assertLess(document(f"describe {ring}")["floor"]["locked_bounce_decay"], 0)
         self.assertIn("bounces on it grow", run(f"describe {ring}").stdout)

@@ -1,5 +1,6 @@
 #include "analysis/classification/classify_angle.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,23 @@ Verdict judge(const AngleSpectrum& found) {
     if (found.continuum_share() >= much_continuum && found.blocks >= fewest_blocks)
         return {Mode::chaotic, Kind::chaotic};
     return {};
+}
+
+/// Halves of which one has less than this of the other's variance of S are no one motion. Two equal lines that beat once
+/// over the whole length have (1 − 2/π)/(1 + 2/π) = 0.22 in the worst phase.
+constexpr double least_of_other_half = 0.2;
+
+/// The variance of S in the half that has less over that in the other; 1 where halves are too short to be looked at, 0
+/// where the one alone is steady.
+double agreement_of_halves(std::span<const double> angle, double spacing, double noise, double resolution) {
+    const std::size_t half = angle.size() / 2;
+    if (half < fewest_angles) return 1;
+    const AngleSpectrum first = spectrum_of_angle(angle.first(half), spacing, noise, resolution);
+    const AngleSpectrum second = spectrum_of_angle(angle.last(half), spacing, noise, resolution);
+    const Mode one = judge(first).mode, other = judge(second).mode;
+    if (one != other && (one == Mode::steady || other == Mode::steady)) return 0;
+    const double a = first.in_lines + first.in_continuum, b = second.in_lines + second.in_continuum;
+    return std::max(a, b) > 0 ? std::min(a, b) / std::max(a, b) : 1;
 }
 
 std::string words_of_level(const AngleSpectrum& found, double given) {
@@ -111,7 +129,16 @@ Classification classify_angle(std::span<const double> angle, double spacing, con
     describe(found, options.noise, result);
     const Verdict verdict = judge(found), by_level = judge(measured);
     const bool contradicts = options.noise > near_level * found.level && verdict.mode != by_level.mode;
-    if (contradicts) {
+    const double agreement =
+        verdict.mode == Mode::quasi_steady ? agreement_of_halves(angle, spacing, options.noise, resolution) : 1;
+    if (agreement < least_of_other_half) {
+        result.kind = Kind::transient;
+        result.evidence.push_back(
+            {"variance of S in one half over the other", agreement, least_of_other_half,
+             agreement > 0 ? "S still settles: its lines die out or grow" : "S still settles: one half alone is steady",
+             "above " + in_words(least_of_other_half) +
+                 ": quasi-steady; a later half alone (--transient) may be what it settles on"});
+    } else if (contradicts) {
         result.evidence.push_back(
             {"noise given in radians", options.noise, near_level * found.level,
              "more than the angle shows, and without it the verdict is " + std::string(name_of(by_level.mode)),

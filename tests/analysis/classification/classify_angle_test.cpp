@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -158,6 +159,34 @@ TEST(ClassifyAngle, WhatDriftsIsATransient) {
     const auto found = classify_angle(angle_of(3000, 0.5 * degree, slowing), spacing);
     EXPECT_EQ(found.mode, Mode::undecided);
     EXPECT_EQ(found.kind, Kind::transient);
+}
+
+/// A swing of S that dies away is no motion that lasts, however much noise there is. The later part alone is steady; so
+/// is the whole where the taper, small at either end, leaves nothing of a swing that is soon gone.
+TEST(ClassifyAngle, LinesThatDieOutAreATransient) {
+    for (const double life : {100.0, 300.0, 500.0})
+        for (const double noise : {0.1, 0.5}) {
+            const auto dying = [life](double n) { return -0.5 + 0.6 * std::exp(-n / life) * std::sin(1.3 * n); };
+            const auto angle = angle_of(9000, noise * degree, dying);
+            const auto found = classify_angle(angle, spacing);
+            const bool soon_gone = life < 300 && found.mode == Mode::steady;
+            EXPECT_TRUE(soon_gone || found.mode == Mode::undecided) << life << ' ' << noise;
+            EXPECT_TRUE(soon_gone || found.kind == Kind::transient) << life << ' ' << noise;
+            if (life > 100) continue;
+            EXPECT_EQ(classify_angle(std::span(angle).last(4500), spacing).mode, Mode::steady) << noise;
+        }
+}
+
+/// Two lines whose sum swells and falls once in 60 flights: it lasts, whatever halves it is looked at in.
+TEST(ClassifyAngle, LinesThatBeatLast) {
+    for (const double phase : {0.0, 0.7, 1.4, 2.1, 2.8}) {
+        const auto beating = [phase](double n) {
+            return -0.5 + 0.2 * std::cos(1.3 * n) + 0.2 * std::cos((1.3 + 2 * std::numbers::pi / 60) * n + phase);
+        };
+        for (const std::size_t count : {3000UL, 9000UL})
+            EXPECT_EQ(classify_angle(angle_of(count, 0.5 * degree, beating), spacing).mode, Mode::quasi_steady)
+                << phase << ' ' << count;
+    }
 }
 
 TEST(ClassifyAngle, RefusesWhatIsTooShortOrNotFinite) {

@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 from certificates import with_new_checksum
-from driving import SWIRL, InFolder, document, run, start
+from driving import SWIRL, InFolder, document, run, start, wait_until_it_listens
 
 REFERENCES = Path(sys.argv.pop(1))
 EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 40
@@ -227,6 +227,7 @@ class Certify(InFolder):
         for after in (0.3, 0.8, 1.5):
             process = subprocess.Popen([SWIRL, "certify", *HEXAGON.split(), "--all", "--max-time", "200", "-o", str(certificate),
                                         "--quiet"])
+            wait_until_it_listens(process)
             time.sleep(after)
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(60), 130)

@@ -50,6 +50,17 @@ def start(arguments, **options):
     return subprocess.Popen([SWIRL, *shlex.split(arguments)], **options)
 
 
+def wait_until_it_listens(process, most=60):
+    """Until it has a handler of its own for SIGINT: what takes long to start, as with sanitizers, is killed by one before."""
+    end = time.monotonic() + most
+    while time.monotonic() < end:
+        caught = re.search(r"^SigCgt:\s*([0-9a-f]+)$", Path(f"/proc/{process.pid}/status").read_text(), re.M)
+        if caught and int(caught[1], 16) >> (signal.SIGINT - 1) & 1:
+            return
+        time.sleep(0.005)
+    raise AssertionError(f"{process.args}: no handler of SIGINT after {most} s")
+
+
 def interrupted(arguments, seconds, wait=60):
     """The exit code of what gets SIGINT so many seconds after its start."""
     process = start(arguments)

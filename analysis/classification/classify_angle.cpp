@@ -30,8 +30,8 @@ Verdict judge(const AngleSpectrum& found) {
     return {};
 }
 
-/// Halves of which one has less than this of the other's variance of S are no one motion. Two equal lines that beat once
-/// over the whole length have (1 − 2/π)/(1 + 2/π) = 0.22 in the worst phase.
+/// Halves of which one has less than this of the other's variance of S are no one motion. Two equal lines that beat
+/// once over the whole length have (1 − 2/π)/(1 + 2/π) = 0.22 in the worst phase.
 constexpr double least_of_other_half = 0.2;
 
 /// The variance of S in the half that has less over that in the other; 1 where halves are too short to be looked at, 0

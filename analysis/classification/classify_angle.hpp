@@ -6,8 +6,8 @@
 //   neither lines nor continuum                      steady, S constant within noise and rounding; undecided if
 //                                                    something is above what rounding leaves beside that noise
 //   lines, continuum at most 0.5 % of both           quasi-steady (a cycle or a torus: periodic or not in time);
-//                                                    undecided, transient, if one half alone is steady, or S varies in
-//                                                    it by less than a fifth of the other's variance: lines die out
+//                                                    undecided, transient, if one half alone is steady, or has less
+//                                                    than a fifth of the variance of S in the other: lines die out
 //   continuum at least 30 %, three blocks or more    chaotic
 //   else                                             undecided
 // A continuum is chaos because nothing else than the camera is random in a body that slides and strikes; a shaken

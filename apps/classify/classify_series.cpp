@@ -40,8 +40,7 @@ position is never called steady or quasi-steady, since its distance from a centr
 
 namespace {
 
-/// The longest run of samples without a gap.
-/// Samples without a gap among them.
+/// A run of samples without a gap.
 struct Stretch {
     std::size_t begin = 0, count = 0;
 };

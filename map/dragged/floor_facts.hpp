@@ -36,8 +36,9 @@ struct FloorFacts {
     std::optional<LockedRolling> locked;  ///< if it is
 };
 
-/// The same of a disk without friction, which slides: ψ of κ = 0, no force of friction, S → 0 (γ_r = 0: NaN, S stays),
-/// Γ = γ. Nothing where the drag takes it along (γρ > β √(1 + γ²[table])), or of a polygon.
+/// A disk without friction that slides with ψ′ = 0: as `FloorFacts::locked` with κ = 0, so that Γ = γ, and with the S =
+/// 0 that the floor brings it to. Nothing where the drag takes it along, γρ > β √(1 + γ²[table]), where γ_r = 0 leaves
+/// S as it is, and of a polygon.
 /// @throws std::invalid_argument if a parameter is out of range
 std::optional<LockedRolling> locked_sliding(const Scene<double>& scene);
 

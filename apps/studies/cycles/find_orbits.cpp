@@ -3,9 +3,7 @@
 #include "analysis/cycles/find_cycles.hpp"
 #include "apps/studies/cycles/steady_cycles.hpp"
 #include "apps/studies/scene_map/itinerary_map.hpp"
-#include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
-#include "map/dragged/dragged_modes.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -97,27 +95,6 @@ void search_on(const PeriodWork& work, std::int64_t tried, analysis::KnownCycles
     }
 }
 
-/// Fixed points over a floor that drags that `dragged_modes` lists, but for those that were found: strongly unstable
-/// ones are hard to come to from a guess.
-std::vector<analysis::Cycle> dragged_cycles_beside(const PeriodWork& work, const std::vector<analysis::Cycle>& found) {
-    const FindOptions& options = work.options;
-    const DraggedModesOptions wanted{.longest_flight = options.max_time,
-                                     .stop = [&] { return options.control.is_stopped(); }};
-    analysis::KnownCycles known(work.map, 0, analysis::same_cycle, false);
-    for (const SteadyMode& mode : dragged_modes(work.scene, wanted).modes) {
-        const Eigen::VectorXd z = coordinates_of(mode.point, work.scene.is_disk());
-        const bool is_found = std::any_of(found.begin(), found.end(), [&](const analysis::Cycle& cycle) {
-            return work.map.distance(cycle.points.front(), z) <= analysis::same_cycle;
-        });
-        const auto step = work.map.step(z, 0);
-        if (is_found || !step.alive || !(work.map.distance(step.state, z) <= analysis::same_cycle)) continue;
-        known.add({z}, mode.residual);
-    }
-    auto cycles = known.completed(options.control.threads);
-    for (auto& cycle : cycles) cycle.found = 0;
-    return cycles;
-}
-
 void search_period(const PeriodWork& work, const std::vector<CyclePoints>& trajectories, FoundOrbits& found) {
     const FindOptions& options = work.options;
     PeriodSearch result;
@@ -132,7 +109,7 @@ void search_period(const PeriodWork& work, const std::vector<CyclePoints>& traje
     if (options.complete) search_on(work, options.candidates.starts, known, result);
     auto cycles = known.completed(options.control.threads);
     if (work.period == 1 && work.scene.has_drag()) {
-        auto others = dragged_cycles_beside(work, cycles);
+        auto others = dragged_cycles(work.scene, work.map, options.max_time, options.control, cycles);
         result.from_equations = static_cast<std::int64_t>(others.size());
         std::move(others.begin(), others.end(), std::back_inserter(cycles));
     }

@@ -24,13 +24,11 @@ namespace swirl::studies::cycles {
 /// The search for cycles of one period.
 struct PeriodSearch {
     int period = 1;
-    std::int64_t tried = 0;      ///< guesses
-    std::int64_t converged = 0;  ///< of them that led to a cycle, of a divisor of the period included
-    std::int64_t from_equations =
-        0;  ///< cycles that no guess led to: over a floor that drags `dragged_modes` lists them
-    analysis::UnseenCycles
-        unseen;               ///< of period 1: where its equations list the others (`steady`), of those through contact
-    bool wants_more = false;  ///< it was to go on, and the estimate of what was missed did not come to none
+    std::int64_t tried = 0;           ///< guesses
+    std::int64_t converged = 0;       ///< of them that led to a cycle, of a divisor of the period included
+    std::int64_t from_equations = 0;  ///< cycles that `dragged_cycles` has and no guess led to
+    analysis::UnseenCycles unseen;    ///< of period 1 with `FoundOrbits::steady`: of the cycles through contact alone
+    bool wants_more = false;          ///< it was to go on, and the estimate of what was missed did not come to none
 };
 
 /// The fixed points of impacts alone, from their two equations.

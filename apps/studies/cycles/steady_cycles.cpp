@@ -1,9 +1,11 @@
 #include "apps/studies/cycles/steady_cycles.hpp"
 
 #include "apps/studies/scene_map/section_coordinates.hpp"
+#include "map/dragged/dragged_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +27,13 @@ std::optional<SteadyMode> typical_member(const Scene<double>& scene, const Stead
 bool is_fixed(const analysis::ShootingMap& map, const Eigen::VectorXd& z) {
     const auto step = map.step(z, 0);
     return step.alive && map.distance(step.state, z) <= same_mode;
+}
+
+/// Those that were added, as cycles that no guess led to.
+std::vector<analysis::Cycle> completed(analysis::KnownCycles& known, int threads) {
+    auto cycles = known.completed(threads);
+    for (auto& cycle : cycles) cycle.found = 0;
+    return cycles;
 }
 
 }  // namespace
@@ -54,13 +63,27 @@ SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::Shoo
         if (stop()) break;
         if (!confirmed) ++search.not_fixed;
     }
-    auto listed = known.completed(threads);
+    auto listed = completed(known, threads);
     search.found = listed.size();
-    for (auto& cycle : listed) {
-        cycle.found = 0;
-        cycles.push_back(std::move(cycle));
-    }
+    std::move(listed.begin(), listed.end(), std::back_inserter(cycles));
     return search;
+}
+
+std::vector<analysis::Cycle> dragged_cycles(const Scene<double>& scene, const analysis::ShootingMap& map,
+                                            double max_time, const RunControl& control,
+                                            const std::vector<analysis::Cycle>& found) {
+    DraggedModesOptions options;
+    options.longest_flight = max_time;
+    options.stop = [&] { return control.is_stopped(); };
+    analysis::KnownCycles known(map, 0, analysis::same_cycle, false);
+    for (const SteadyMode& mode : dragged_modes(scene, options).modes) {
+        const Eigen::VectorXd z = coordinates_of(mode.point, scene.is_disk());
+        const bool is_found = std::any_of(found.begin(), found.end(), [&](const analysis::Cycle& cycle) {
+            return map.distance(cycle.points.front(), z) <= analysis::same_cycle;
+        });
+        if (!is_found && is_fixed(map, z)) known.add({z}, mode.residual);
+    }
+    return completed(known, control.threads);
 }
 
 const SteadyFamily* family_of(const Scene<double>& scene, const std::vector<SteadyFamily>& families,

@@ -19,6 +19,13 @@ SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::Shoo
                                 const std::function<bool()>& stop, int threads, Accuracy accuracy,
                                 std::vector<analysis::Cycle>& cycles);
 
+/// The fixed points over a floor that drags that `dragged_modes` lists up to max_time, but for those of `found`. Cost:
+/// dragged_modes', and some 30 ms a point.
+/// @throws std::invalid_argument for a max_time out of range, or a scene without drag
+std::vector<analysis::Cycle> dragged_cycles(const Scene<double>& scene, const analysis::ShootingMap& map,
+                                            double max_time, const RunControl& control,
+                                            const std::vector<analysis::Cycle>& found);
+
 /// The family that a fixed point belongs to, if it is one of these.
 const SteadyFamily* family_of(const Scene<double>& scene, const std::vector<SteadyFamily>& families,
                               const analysis::Cycle& cycle);

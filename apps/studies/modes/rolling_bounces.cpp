@@ -61,7 +61,7 @@ void look_for_rolling(const DiskMap& map, const Scene<double>& scene, const anal
     if (scene.restitution != 1 || scene.tangential_restitution != 0 || !scene.has_drag()) return;
     const bool slides = scene.mu == 0;
     const std::optional<LockedRolling> rolling = slides ? locked_sliding(scene) : floor_facts(scene).locked;
-    if (!rolling || !rolling->holds || !(rolling->bounce_decay > 0) || std::isnan(rolling->spin)) return;
+    if (!rolling || !rolling->holds || !(rolling->bounce_decay > 0)) return;
     const auto decay = measured_decay(map, scene, *rolling, tail.last);
     if (!decay || !(std::abs(*decay / rolling->bounce_decay - 1) <= bounce_rate_margin)) return;
     verdict.mode = analysis::Mode::steady;

@@ -50,8 +50,8 @@ std::optional<Bounces> after(const Map& map, const Scene<double>& scene, PostImp
     return bounces;
 }
 
-/// Γ of both signs, over 2,000 bounces after 2,000 in which what else the start excites dies away. Terms in the time τ
-/// of a bounce, 0.002 to 0.02 here, change the rate by a share of that.
+/// Γ of both signs, over 2,000 bounces. Terms in the time τ of a bounce, some 2·10⁻⁴ here, change the rate by a share
+/// of that; ten times as much is allowed.
 TEST(RollingBounces, FallAndGrowAtTheRateOfTheFormula) {
     tests::DraggedDraw draw(7);
     int fall = 0, grow = 0;
@@ -79,8 +79,8 @@ TEST(RollingBounces, FallAndGrowAtTheRateOfTheFormula) {
     EXPECT_GE(grow, 10);
 }
 
-/// Whatever the start: what is called rolling bounces lower and lower for 50,000 impacts more, and its S comes nearer
-/// to the one that is named. Of an undecided one nothing is claimed.
+/// Whatever the start: what is called rolling bounces lower and lower for 50,000 impacts more, and αS stays nearer than
+/// v to that of the S that is named. Of an undecided one nothing is claimed.
 TEST(RollingBounces, WhatIsCalledRollingComesNearerToIt) {
     tests::DraggedDraw draw(11);
     int named_rolling = 0, others = 0;

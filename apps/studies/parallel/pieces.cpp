@@ -54,7 +54,7 @@ bool run_pieces(std::size_t count, const std::string& task, const RunControl& co
     std::future<void> ended = run_all.get_future();
     std::thread runner(std::move(run_all));
     while (ended.wait_for(milliseconds(10)) != std::future_status::ready) {
-        if (!control.is_stopped() || ended.wait_for(milliseconds(100)) == std::future_status::ready) continue;
+        if (!control.is_stopped() || ended.wait_for(milliseconds(30)) == std::future_status::ready) continue;
         const std::lock_guard lock(pieces->mutex);
         pieces->kept = false;
         runner.detach();

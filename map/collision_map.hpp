@@ -38,7 +38,7 @@ public:
     /// @throws std::invalid_argument if a parameter is out of range, the floor drags (map/dragged has that map), or
     /// corners are rounded (map/corners)
     explicit CollisionMap(const Scene<T>& scene, const Body<T>* similar = nullptr)
-        : scene_(without_rounding(without_drag(validated(scene), "this computation"), "this computation")),
+        : scene_(without_rounding(without_floor(validated(scene), "this computation"), "this computation")),
           body_(make_body(scene, similar)) {}
 
     const Scene<T>& scene() const { return scene_; }

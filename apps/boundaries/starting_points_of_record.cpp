@@ -31,6 +31,8 @@ void require_same_scene(const RecordReader& record, const std::string& what, con
     for (const char* name : {"drag", "spin_drag"})  // which scenes without have not among their settings
         if (record.has_attribute(group, name) && record.attribute<double>(group, name) != 0)
             throw BadInput(fmt::format("{} is of a floor that drags, to which curves are not extended", what));
+    if (record.has_attribute(group, "floor_friction") && record.attribute<double>(group, "floor_friction") != 0)
+        throw BadInput(fmt::format("{} is of a floor with dry friction, to which curves are not extended", what));
     if (record.has_attribute(group, "tangential_restitution") &&
         record.attribute<double>(group, "tangential_restitution") != 0)
         throw BadInput(fmt::format("{} has tangential restitution, to which curves are not extended", what));

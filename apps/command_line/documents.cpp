@@ -48,7 +48,11 @@ Settings scene_settings(const Scene<double>& scene) {
     settings.emplace_back("inertia_factor", scene.inertia_factor);
     if (scene.has_drag()) settings.emplace_back("drag", scene.drag);
     if (!(scene.spin_drag < 0)) settings.emplace_back("spin_drag", scene.spin_drag);  // else it is as drag
-    if (scene.has_drag() || scene.floor != Floor::dish)
+    if (scene.has_dry_floor()) {
+        settings.emplace_back("floor_friction", scene.floor_friction);
+        settings.emplace_back("gravity_ratio", scene.gravity_ratio);
+    }
+    if (scene.acts_in_flight() || scene.floor != Floor::dish)
         settings.emplace_back("floor", std::string(name_of(scene.floor)));
     if (scene.tangential_restitution != 0)
         settings.emplace_back("tangential_restitution", scene.tangential_restitution);
@@ -131,9 +135,13 @@ void write_attributes(const RecordGroup& group, const Settings& settings) {
 
 std::string scene_in_words(const Scene<double>& scene) {
     const std::string body = scene.is_disk() ? "disk" : scene.is_rod() ? "rod" : fmt::format("{} sides", scene.sides);
-    const std::string floor = !scene.has_drag() ? ""
-                                                : fmt::format(", {} with drag {:g}, spin drag {:g}",
-                                                              name_of(scene.floor), scene.drag, scene.turning_drag());
+    std::string floor;
+    if (scene.has_drag())
+        floor =
+            fmt::format(", {} with drag {:g}, spin drag {:g}", name_of(scene.floor), scene.drag, scene.turning_drag());
+    if (scene.has_dry_floor())
+        floor = fmt::format(", {} with floor friction {:g}, gravity ratio {:g}", name_of(scene.floor),
+                            scene.floor_friction, scene.gravity_ratio);
     const std::string returned =
         scene.tangential_restitution == 0 ? "" : fmt::format(", e_t {:g}", scene.tangential_restitution);
     const std::string corners = scene.is_rounded() ? fmt::format(" with corners of {:g}", scene.corner) : "";

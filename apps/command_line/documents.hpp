@@ -25,7 +25,7 @@ using Settings = std::vector<std::pair<std::string, AttributeValue>>;
 Settings scene_settings(const Scene<double>& scene);
 
 /// All names that it uses, in its order.
-inline constexpr std::array<const char*, 12> scene_setting_names = {"sides",
+inline constexpr std::array<const char*, 14> scene_setting_names = {"sides",
                                                                     "alpha",
                                                                     "beta",
                                                                     "mu",
@@ -34,6 +34,8 @@ inline constexpr std::array<const char*, 12> scene_setting_names = {"sides",
                                                                     "inertia_factor",
                                                                     "drag",
                                                                     "spin_drag",
+                                                                    "floor_friction",
+                                                                    "gravity_ratio",
                                                                     "floor",
                                                                     "tangential_restitution",
                                                                     "corner"};

@@ -28,7 +28,7 @@ struct SceneName {
     std::vector<std::string> words = {};  ///< that completion offers
 };
 
-const std::array<SceneName, 18> scene_names = {{
+const std::array<SceneName, 20> scene_names = {{
     {"sides", "N: 2 (a rod) to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
     {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
@@ -38,7 +38,9 @@ const std::array<SceneName, 18> scene_names = {{
     {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
     {"drag", "gamma, the floor's viscous drag: force -gamma (V - V_floor), in m omega_s (default 0)"},
     {"spin-drag", "gamma_r, its torque -gamma_r I S, in omega_s (default: as --drag)"},
-    {"floor", "that drags: dish (default; it moves with the container) or table (at rest)", {"dish", "table"}},
+    {"floor-friction", "M, the floor's dry (Coulomb) friction: force -M m g <u/|u|>, mean over the body (default 0)"},
+    {"gravity-ratio", "G = g/(R_c omega_s^2), with --floor-friction (SI units: 9.80665 m/s^2 if not given)"},
+    {"floor", "that acts: dish (default; it moves with the container) or table (at rest)", {"dish", "table"}},
     {"tangential-restitution", "e_t of a disk, 0 to 1: an impact that sticks returns u_t+ = -e_t u_t- (default 0)"},
     {"corner", "r/R_c, radius of a polygon's rounded corners, 0 <= r < alpha (default 0; alpha is --sides disk)"},
     {"container-radius", "R_c in m; with any of these six all that you give and read is in m, s, kg"},
@@ -160,15 +162,31 @@ Floor floor_from(const std::string& text) {
 }
 
 void SceneOptions::require_drag_of_floor() const {
-    if (!floor_is_asked_ || has("drag") || has("spin-drag")) return;
-    throw BadInput(
-        fmt::format("floor = {} acts by its drag alone: --drag G is wanted, 0 or 1e-75 to 1000", values_.at("floor")));
+    if (!floor_is_asked_ || has("drag") || has("spin-drag") || has("floor-friction")) return;
+    throw BadInput(fmt::format("floor = {} acts by drag or friction alone: --drag G or --floor-friction M is wanted",
+                               values_.at("floor")));
 }
 
 void SceneOptions::refuse_drag() const {
     throw BadInput(
         fmt::format("drag = {}, spin-drag = {}: this command is not extended to a floor that drags; 0 is wanted",
                     text("drag", "0"), text("spin-drag", text("drag", "0"))));
+}
+
+void SceneOptions::refuse_dry_floor() const {
+    throw BadInput(
+        fmt::format("floor-friction = {}: this command is not extended to a floor with dry friction; 0 is wanted",
+                    text("floor-friction", "0")));
+}
+
+double SceneOptions::standard_gravity_ratio() const {
+    const auto own = units();
+    if (!own || !has("container-radius") || !has("swirl-rate"))
+        throw BadInput(
+            "--gravity-ratio is missing: G = g/(R_c omega_s^2) (or --container-radius and --swirl-rate, with g = "
+            "9.80665 m/s^2)");
+    constexpr double g = 9.80665;  // m/s², the standard's
+    return g * own->time * own->time / own->length;
 }
 
 void SceneOptions::refuse_rod() {

@@ -77,10 +77,14 @@ private:
     T ratio(const std::string& name, const std::string& length) const;
     template <class T>
     T positive(const std::string& name) const;
-    /// @throws BadInput: a floor that was asked for without drag, which would be ignored
+    /// @throws BadInput: a floor that was asked for without drag or friction, which would be ignored
     void require_drag_of_floor() const;
     /// @throws BadInput: a command that does not follow drag
     [[noreturn]] void refuse_drag() const;
+    /// @throws BadInput: a command that does not follow dry friction of the floor
+    [[noreturn]] void refuse_dry_floor() const;
+    /// G at standard gravity. @throws BadInput where R_c and ω_s are not given
+    double standard_gravity_ratio() const;
     /// @throws BadInput: a command that does not know the rod
     [[noreturn]] static void refuse_rod();
     /// @throws BadInput: a command that does not follow rounded corners
@@ -132,12 +136,18 @@ Scene<T> SceneOptions::scene(Extensions extensions) const {
         scene.spin_drag = number_from<T>("spin-drag", values_.at("spin-drag"));
         if (scene.spin_drag < T(0)) detail::out_of_range("spin-drag", scene.spin_drag, "0, or 1e-75 to 1000");
     }
+    if (has("floor-friction")) scene.floor_friction = number_from<T>("floor-friction", values_.at("floor-friction"));
+    if (has("gravity-ratio"))
+        scene.gravity_ratio = number_from<T>("gravity-ratio", values_.at("gravity-ratio"));
+    else if (scene.floor_friction != T(0))
+        scene.gravity_ratio = T(standard_gravity_ratio());
     if (has("floor")) scene.floor = floor_from(values_.at("floor"));
     if (has("tangential-restitution"))
         scene.tangential_restitution = number_from<T>("tangential-restitution", values_.at("tangential-restitution"));
     if (has("corner") || has("corner-radius")) scene.corner = ratio<T>("corner", "corner-radius");
     require_drag_of_floor();
     if (extensions == Extensions::refused && scene.has_drag()) refuse_drag();
+    if (extensions == Extensions::refused && scene.has_dry_floor()) refuse_dry_floor();
     if (extensions == Extensions::refused && scene.tangential_restitution != T(0)) refuse_tangential_restitution();
     if (extensions == Extensions::refused && scene.is_rod()) refuse_rod();
     if (extensions == Extensions::refused && scene.is_rounded()) refuse_rounding();

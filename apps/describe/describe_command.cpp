@@ -77,7 +77,7 @@ Description description_of(const Scene<double>& scene, double max_time) {
 int describe(DescribeOptions& options) {
     options.scene.read_file(options.output.quiet);
     const Scene<double> scene = options.scene.scene<double>(Extensions::followed);
-    without_rounding(scene, "describe");
+    without_dry_floor(without_rounding(scene, "describe"), "describe");
     options.output.require_double("describe works in double");
     options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
     std::optional<RecordWriter> record = open_record(options.output, "What is known of a swirled polygon",

@@ -250,7 +250,8 @@ void require_same_plane(const RecordReader& map, const RecordReader& curves, con
     boundaries::require_same_scene(curves, fmt::format("record '{}'", file), "/scene", scene, axes);
 }
 
-/// The page's own map knows no drag, no tangential restitution, no rod and no rounded corners.
+/// The page's own map knows no drag, no dry friction of the floor, no tangential restitution, no rod and no rounded
+/// corners.
 void require_page_scene(const RecordReader& record, const std::string& file) {
     const bool drags = record.contains("/sweep/drag") ||
                        text_in(attributes_in(record, "/settings"), "along") == "drag" ||
@@ -258,6 +259,10 @@ void require_page_scene(const RecordReader& record, const std::string& file) {
     if (drags)
         throw BadInput(
             fmt::format("record '{}' is of a floor that drags, to which the map of a page is not extended", file));
+    if (record.contains("/sweep/floor_friction") || text_in(scene_in(record), "floor_friction") ||
+        text_in(attributes_in(record, "/settings"), "floor_friction"))
+        throw BadInput(fmt::format(
+            "record '{}' is of a floor with dry friction, to which the map of a page is not extended", file));
     const bool returns = record.contains("/sweep/tangential_restitution") ||
                          text_in(attributes_in(record, "/settings"), "along") == "tangential-restitution" ||
                          text_in(scene_in(record), "tangential_restitution") ||

@@ -4,6 +4,7 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/impacts/impact_fields.hpp"
 #include "apps/studies/scene_map/in_digits.hpp"
+#include "map/orbit/dry_path.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -34,8 +36,8 @@ void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, Trajecto
     const ContactSink sink = cutter.sink();
     while (orbit.impacts() < limit && orbit.advance(contact_horizon, sink)) {
         const auto& trajectory = cutter.passed(orbit, true);
-        // Over a floor that drags S and the velocity change in flight, too.
-        const bool by_segments = !orbit.contacts().empty() || cutter.floor().drags();
+        // Over a floor that acts S and the velocity change in flight, too.
+        const bool by_segments = !orbit.contacts().empty() || cutter.bends_flights();
         if (const auto kept = orbit.impacts() - range.transient; kept > 1 && by_segments)
             columns.contacts.push_back({static_cast<std::size_t>(kept - 2), trajectory});
         if (orbit.impacts() > range.transient) {
@@ -62,6 +64,7 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
     std::visit(
         [&](const auto& s) {
             TrajectorySegmenter cutter(scene, s);
+            if constexpr (std::is_same_v<T, double>) cutter.take_flights_from(dry_paths(scene));
             columns.contact_scene = cutter.scene();
             follow(orbit, range, output.quiet, cutter, columns);
         },

@@ -69,9 +69,10 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     if (!record.contains("/collisions") || record.datasets("/collisions").empty())
         throw BadInput(fmt::format("record '{}' holds no impacts; one that swirl simulate -o wrote is needed", file));
     OrbitColumns columns;
-    columns.scene = in_order(attributes_of(record, "/scene"),
-                             {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag",
-                              "spin_drag", "floor", "tangential_restitution", "corner"});
+    columns.scene =
+        in_order(attributes_of(record, "/scene"),
+                 {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag", "spin_drag",
+                  "floor_friction", "gravity_ratio", "floor", "tangential_restitution", "corner"});
     columns.start = in_order(attributes_of(record, "/start"),
                              {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin", "psi", "chi", "vn", "vt", "S"});
     columns.units = in_order(attributes_of(record, "/units"), {"length", "time", "mass"});
@@ -125,6 +126,8 @@ void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptio
     for (const auto& [name, value] : record.scene)
         scene.set(name == "inertia_factor"           ? "inertia-factor"
                   : name == "spin_drag"              ? "spin-drag"
+                  : name == "floor_friction"         ? "floor-friction"
+                  : name == "gravity_ratio"          ? "gravity-ratio"
                   : name == "tangential_restitution" ? "tangential-restitution"
                                                      : name,
                   required_text_of(value));

@@ -100,7 +100,7 @@ Table<analysis::Checkpoint> convergence_table(std::size_t exponents) {
 
 /// Why an exponent may be zero, as far as the scene tells.
 std::string_view reason_of(const Scene<double>& scene) {
-    if (scene.has_drag()) return "the summed growth stays bounded";
+    if (scene.acts_in_flight()) return "the summed growth stays bounded";
     if (scene.mu == 0 && scene.restitution == 1) return "J is conserved (mu = 0, e = 1)";
     if (keeps_energy_without_sliding(scene)) return "without sliding J + I S/alpha is conserved (e = e_t = 1)";
     if (scene.is_disk() && scene.restitution == 1) return "the disk's steady modes are a family (e = 1)";

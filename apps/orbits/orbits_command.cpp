@@ -107,7 +107,7 @@ void leave_out_others(FoundOrbits& found) {
 
 /// A polygon's cycles with friction, and any with e < 1, are isolated, but for psi where there is no swirl.
 void require_families(const OrbitsOptions& options, const Scene<double>& scene) {
-    const bool isolated = scene.has_drag() || scene.restitution < 1 || (!scene.is_disk() && scene.mu > 0);
+    const bool isolated = scene.acts_in_flight() || scene.restitution < 1 || (!scene.is_disk() && scene.mu > 0);
     if (!options.pin.empty() && isolated && scene.beta > 0)
         throw BadInput(fmt::format(
             "pin = {}: it takes members of families, and this scene has none (a disk has, or mu = 0, both at e = 1)",

@@ -36,6 +36,9 @@ Scene<double> scene_of(const RecordReader& record, const std::optional<Parameter
     }
     scene.law = law_from(record.attribute<std::string>("/scene", "law"));
     if (record.has_attribute("/scene", "spin_drag")) scene.spin_drag = record.attribute<double>("/scene", "spin_drag");
+    for (const auto& [name, member] : {std::pair("floor_friction", &Scene<double>::floor_friction),
+                                       std::pair("gravity_ratio", &Scene<double>::gravity_ratio)})
+        if (record.has_attribute("/scene", name)) scene.*member = record.attribute<double>("/scene", name);
     if (record.has_attribute("/scene", "floor"))
         scene.floor = floor_from(record.attribute<std::string>("/scene", "floor"));
     return validated(scene);

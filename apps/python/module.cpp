@@ -105,9 +105,14 @@ public:
                      py::arg("units") = units);
         if (s.tangential_restitution != 0) all["tangential_restitution"] = s.tangential_restitution;
         if (s.is_rounded()) all["corner"] = s.corner;
-        if (!s.has_drag()) return all;
-        all["drag"] = s.drag;
-        all["spin_drag"] = s.turning_drag();
+        if (!s.acts_in_flight()) return all;
+        if (s.has_drag()) {
+            all["drag"] = s.drag;
+            all["spin_drag"] = s.turning_drag();
+        } else {
+            all["floor_friction"] = s.floor_friction;
+            all["gravity_ratio"] = s.gravity_ratio;
+        }
         all["floor"] = std::string(name_of(s.floor));
         return all;
     }

@@ -104,6 +104,8 @@ RampSettings settings_of(RampOptions& options) {
     settings.accuracy = options.output.accuracy();
     settings.noise = options.noise.noise(options.start, options.output);
     if (settings.scene.has_drag()) options.output.require_double("it is not extended to a floor that drags");
+    if (settings.scene.has_dry_floor())
+        options.output.require_double("it is not extended to a floor with dry friction");
     if (settings.scene.is_rounded()) options.output.require_double("it is not extended to rounded corners");
     if (settings.noise.is_any()) without_rounding(settings.scene, "noise at impacts");
     return settings;

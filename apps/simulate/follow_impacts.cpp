@@ -3,6 +3,7 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/studies/scene_map/in_digits.hpp"
+#include "map/orbit/dry_path.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -23,6 +24,7 @@ public:
         : skip_(options.skip), until_(options.time.value_or(std::numeric_limits<double>::infinity())) {
         if (!options.sample) return;
         cutter_.emplace(scene, start);
+        if constexpr (std::is_same_v<T, double>) cutter_->take_flights_from(dry_paths(scene));
         sampler_.emplace(*options.sample);
     }
 

@@ -102,7 +102,7 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
         fly({{v[1][i], v[2][i]}, {v[3][i], v[4][i]}, v[0][i]}, until, averager);
     };
     const auto contact = [&](const TrajectorySegment& segment, double until, analysis::BinAverager<Complex>& averager) {
-        if (!segment.in_contact && !segment.floor.drags() && segment.end > segment.start) {
+        if (!segment.in_contact && !segment.is_bent() && segment.end > segment.start) {
             const Complex velocity = point(segment.to - segment.from) / (segment.end - segment.start);
             fly({point(segment.from), velocity, segment.start}, until, averager);
             return;

@@ -47,7 +47,7 @@ std::vector<RunColumn> run_columns() {
     return {
         {"run_mode", &RunResult::mode, "", "mode", names, modes},
         {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::riding)},
-        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_of_corner)},
+        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::contact_over_dry_floor)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "1", "time mean of S"},
         {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "1", "mean of S over impacts"},
@@ -83,6 +83,7 @@ std::vector<std::string> outcome_names(std::span<const RunResult> results) {
         return std::any_of(results.begin(), results.end(),
                            [&](const RunResult& result) { return result.outcome > static_cast<double>(outcome); });
     };
+    if (above(Outcome::contact_of_corner)) return names_up_to(Outcome::contact_over_dry_floor);
     if (above(Outcome::contact_with_drag)) return names_up_to(Outcome::contact_of_corner);
     return names_up_to(above(Outcome::unresolved) ? Outcome::contact_with_drag : Outcome::unresolved);
 }

@@ -24,8 +24,8 @@ namespace swirl::apps::sweep {
 
 const char* const sweep_details =
     R"(Names the modes of R random starts in every cell of a grid over one to five of alpha, beta, mu, restitution, inertia-factor,
-sides, drag, spin-drag, tangential-restitution, corner, law and the starts' speed: NAME=A:B:COUNT, NAME=A:B:COUNT:log (by logarithms), or a list NAME=V,V,... (laws, sides
-with a disk: sides=3,6,disk; lists do not go with --refine). A grid over numbers of the start (x, y, vx, vy, angle, spin; in
+sides, drag, spin-drag, floor-friction, gravity-ratio, tangential-restitution, corner, law and the starts' speed: NAME=A:B:COUNT,
+NAME=A:B:COUNT:log (by logarithms), or a list NAME=V,V,... (laws, sides with a disk: sides=3,6,disk; lists do not go with --refine). A grid over numbers of the start (x, y, vx, vy, angle, spin; in
 R_c, R_c omega_s, radians, omega_s, or in SI units) gives a map of basins of attraction: every cell has one start.
 --scenes FILE.csv takes a scene from each row in place of a grid; its columns are named as the flags.
 

@@ -83,7 +83,7 @@ void add_roots(const Advance& f, int sides, double low, double high, std::size_t
 }  // namespace
 
 Chords chords_of(const Scene<double>& scene, std::size_t most) {
-    Scene<double> unswirled = without_rounding(without_drag(validated(scene), "a chord"), "a chord");
+    Scene<double> unswirled = without_rounding(without_floor(validated(scene), "a chord"), "a chord");
     Chords result;
     if (scene.is_disk() || scene.mu == 0) return result;
     unswirled.beta = 0;

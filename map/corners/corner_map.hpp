@@ -34,7 +34,7 @@ public:
     ///   similar  as in `make_body`
     /// @throws std::invalid_argument if a parameter is out of range
     explicit CornerMap(const Scene<T>& scene, const Body<T>* similar = nullptr)
-        : scene_(without_drag(validated(scene), "a body with rounded corners")), body_(rounded_body(scene, similar)) {}
+        : scene_(without_floor(validated(scene), "a body with rounded corners")), body_(rounded_body(scene, similar)) {}
 
     const Scene<T>& scene() const { return scene_; }
     const Body<T>& body() const { return body_; }

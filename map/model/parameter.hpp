@@ -78,7 +78,9 @@ inline Scene<To> scene_in(const Scene<From>& s) {
             To(s.spin_drag),
             s.floor,
             To(s.tangential_restitution),
-            To(s.corner)};
+            To(s.corner),
+            To(s.floor_friction),
+            To(s.gravity_ratio)};
 }
 
 }  // namespace swirl

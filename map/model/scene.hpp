@@ -27,6 +27,11 @@ inline constexpr int rod_sides = 2;
 inline constexpr int max_sides = 1'000'000;
 /// γ and γ_r in units of ω_s: velocities fall by e in a thousandth of 1/ω_s.
 inline constexpr double largest_drag = 1000;
+/// M, and G = g/(R_c ω_s²): a dish of 1 cm swirled once in a minute has 9·10⁴.
+inline constexpr double largest_floor_friction = 1000;
+inline constexpr double largest_gravity_ratio = 1e6;
+/// Means over a polygon's area are sums over its sides.
+inline constexpr int most_sides_over_dry_floor = 1024;
 
 /// A scene, in units of R_c, 1/ω_s and m.
 template <class T = double>
@@ -42,14 +47,21 @@ struct Scene {
     T spin_drag = T(-1);         ///< γ_r: its torque −γ_r I S; negative: γ's value
     Floor floor = Floor::dish;   ///< V_f
     T tangential_restitution{};  ///< e_t, in [0, 1]; of the disk alone
-    T corner{};  ///< r of a polygon's rounded corners, in R_c, 0 ≤ r < α; α is their outermost points'
+    T corner{};          ///< r of a polygon's rounded corners, in R_c, 0 ≤ r < α; α is their outermost points'
+    T floor_friction{};  ///< M, the floor's dry friction, ≥ 0: its force is −M m g ⟨û⟩, û the direction of sliding
+    T gravity_ratio{};  ///< G = g/(R_c ω_s²), ≥ 0
 
     bool is_disk() const { return sides == disk_sides; }
     bool is_rod() const { return sides == rod_sides; }
     T turning_drag() const { return spin_drag < T(0) ? drag : spin_drag; }
     bool is_rounded() const { return corner != T(0); }
-    /// Is it followed by a map of its own (map/dragged, map/corners), of which less is known in closed form?
-    bool has_own_map() const { return has_drag() || is_rounded(); }
+    /// Is it followed by a map of its own (map/dragged, map/dry, map/corners), of which less is known in closed form?
+    bool has_own_map() const { return acts_in_flight() || is_rounded(); }
+    bool has_dry_floor() const { return floor_friction != T(0) && gravity_ratio != T(0); }
+    /// a_f = M G, in R_c ω_s²: the deceleration of a body that slides and does not spin
+    T floor_deceleration() const { return floor_friction * gravity_ratio; }
+    /// Does the floor act on the body in flight, by drag or by dry friction?
+    bool acts_in_flight() const { return has_drag() || has_dry_floor(); }
     bool has_drag() const { return drag != T(0) || turning_drag() != T(0); }
 };
 
@@ -136,7 +148,7 @@ inline void require_speed(const T& speed) {
 /// (map/README.md, "Energy in the swirling frame").
 template <class T>
 inline bool is_dissipative_without_drive(const Scene<T>& scene) {
-    if (scene.has_drag()) return false;  // the floor of a dish drives, and takes energy in flight
+    if (scene.acts_in_flight()) return false;  // the floor of a dish drives, and takes energy in flight
     if (!(scene.restitution < T(1))) return false;
     return scene.mu == T(0) || (scene.beta == T(0) && (scene.law != Law::newton || scene.is_disk()));
 }
@@ -145,9 +157,25 @@ inline bool is_dissipative_without_drive(const Scene<T>& scene) {
 /// ever once impacts only stick (map/README.md, "Tangential restitution").
 template <class T>
 inline bool keeps_energy_without_sliding(const Scene<T>& scene) {
-    return scene.is_disk() && !scene.has_drag() && scene.mu > T(0) && scene.restitution == T(1) &&
+    return scene.is_disk() && !scene.acts_in_flight() && scene.mu > T(0) && scene.restitution == T(1) &&
            scene.tangential_restitution == T(1);
 }
+
+namespace detail {
+
+/// @throws std::invalid_argument for what is not followed over a floor with dry friction
+template <class T>
+inline void require_known_over_dry_floor(const Scene<T>& scene) {
+    if (scene.has_drag())
+        out_of_range("floor-friction", scene.floor_friction, "0 over a floor that drags: one of the two is followed");
+    if (scene.is_rounded())
+        out_of_range("corner", scene.corner,
+                     "0 over a floor with dry friction, to which rounded corners are not extended");
+    if (scene.sides > most_sides_over_dry_floor)
+        out_of_range("sides", scene.sides, "2 to 1024, or disk, over a floor with dry friction");
+}
+
+}  // namespace detail
 
 /// Returns the scene if every parameter is within its range.
 /// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
@@ -186,14 +214,34 @@ inline Scene<T> validated(const Scene<T>& scene) {
         detail::out_of_range("drag", scene.drag, "0, or 1e-75 to 1000");
     if (!(turning >= T(0) && turning <= T(largest_drag) && is_holdable(turning)))
         detail::out_of_range("spin-drag", turning, "0, or 1e-75 to 1000");
+    if (!(scene.floor_friction >= T(0) && scene.floor_friction <= T(largest_floor_friction) &&
+          is_holdable(scene.floor_friction)))
+        detail::out_of_range("floor-friction", scene.floor_friction, "0, or 1e-75 to 1000");
+    if (!(scene.gravity_ratio >= T(0) && scene.gravity_ratio <= T(largest_gravity_ratio) &&
+          is_holdable(scene.gravity_ratio)))
+        detail::out_of_range("gravity-ratio", scene.gravity_ratio, "0, or 1e-75 to 1e6");
+    if (scene.has_dry_floor()) detail::require_known_over_dry_floor(scene);
     return scene;
 }
 
-/// The scene, if its floor does not drag.
-///   what  that is not extended to a floor that drags, as the beginning of a sentence
-/// @throws std::invalid_argument naming what, and the drag
+/// The scene, if its floor has no dry friction.
+///   what  that is not extended to it, as the beginning of a sentence
+/// @throws std::invalid_argument naming what, and the friction
 template <class T>
-inline Scene<T> without_drag(const Scene<T>& scene, const char* what) {
+inline Scene<T> without_dry_floor(const Scene<T>& scene, const char* what) {
+    if (scene.has_dry_floor())
+        throw std::invalid_argument(std::string(what) +
+                                    " is not extended to a floor with dry friction (floor-friction = " +
+                                    NumberTraits<Plain<T>>::text(plain(scene.floor_friction)) + "); 0 is wanted");
+    return scene;
+}
+
+/// The scene, if its floor does not act in flight.
+///   what  that is not extended to a floor that drags or has dry friction, as the beginning of a sentence
+/// @throws std::invalid_argument naming what, and the drag or the friction
+template <class T>
+inline Scene<T> without_floor(const Scene<T>& scene, const char* what) {
+    without_dry_floor(scene, what);
     if (scene.has_drag())
         throw std::invalid_argument(std::string(what) + " is not extended to a floor that drags (drag = " +
                                     NumberTraits<Plain<T>>::text(plain(scene.drag)) + ", spin-drag = " +
@@ -202,7 +250,7 @@ inline Scene<T> without_drag(const Scene<T>& scene, const char* what) {
 }
 
 /// The scene, if its sticking impacts return nothing of the slip.
-///   what  as in `without_drag`
+///   what  as in `without_floor`
 template <class T>
 inline Scene<T> without_tangential_restitution(const Scene<T>& scene, const char* what) {
     if (scene.tangential_restitution != T(0))
@@ -213,7 +261,7 @@ inline Scene<T> without_tangential_restitution(const Scene<T>& scene, const char
 }
 
 /// The scene, if its body is not the rod.
-///   what  as in `without_drag`
+///   what  as in `without_floor`
 template <class T>
 inline Scene<T> without_rod(const Scene<T>& scene, const char* what) {
     if (scene.is_rod())
@@ -223,7 +271,7 @@ inline Scene<T> without_rod(const Scene<T>& scene, const char* what) {
 }
 
 /// The scene, if its body has sharp corners or none.
-///   what  as in `without_drag`
+///   what  as in `without_floor`
 template <class T>
 inline Scene<T> without_rounding(const Scene<T>& scene, const char* what) {
     if (scene.is_rounded())

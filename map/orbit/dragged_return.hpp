@@ -9,9 +9,9 @@
 
 namespace swirl {
 
-template <class T, Shape shape, ImpactRule rule>
-T turned_in_flight(const DraggedMap<T, shape, rule>& map, const T& spin, const T& time) {
-    return map.turned(spin, time);
+template <class T, Shape shape, ImpactRule rule, class Start>
+T turned_in_flight(const DraggedMap<T, shape, rule>& map, const Start& start, const T& time) {
+    return map.turned(start.spin, time);
 }
 
 template <class T, Shape shape, ImpactRule rule>

@@ -16,9 +16,11 @@ enum class Outcome {
     diverged,  ///< faster than 1e75 (Newton's law with friction can create energy at every impact), or the next impact
                ///< would be no number (`is_out_of_range`)
     unresolved,  ///< a flight outlasted the step limit of the search, or no contact motion was consistent
-    riding,      ///< a dish whose floor drags: the body goes along with it and never meets the wall again (proven)
+    riding,      ///< a dish whose floor drags or has dry friction: the body goes along with it and never meets the
+                 ///< wall again (proven)
     contact_with_drag,  ///< of records up to November 2026 alone: contact over a floor that drags began
-    contact_of_corner   ///< a rounded corner came to stay on the wall, on which it would roll or slide: not followed
+    contact_of_corner,  ///< a rounded corner came to stay on the wall, on which it would roll or slide: not followed
+    contact_over_dry_floor  ///< the body came to stay on the wall over a floor with dry friction: not followed
 };
 
 /// True if the body was on the wall at the end.
@@ -27,9 +29,17 @@ inline bool ends_in_contact(Outcome outcome) {
 }
 
 inline std::string_view name_of(Outcome outcome) {
-    static constexpr std::string_view names[] = {
-        "completed", "no-contact", "in-contact", "contact-cut-short", "resting",
-        "diverged",  "unresolved", "riding",     "contact-with-drag", "contact-of-corner"};
+    static constexpr std::string_view names[] = {"completed",
+                                                 "no-contact",
+                                                 "in-contact",
+                                                 "contact-cut-short",
+                                                 "resting",
+                                                 "diverged",
+                                                 "unresolved",
+                                                 "riding",
+                                                 "contact-with-drag",
+                                                 "contact-of-corner",
+                                                 "contact-over-dry-floor"};
     return names[static_cast<std::size_t>(outcome)];
 }
 

@@ -27,10 +27,10 @@ struct ReturnStep {
 
 // What a flight of a map is beside its collision; a map over a floor that drags has its own (dragged_return.hpp).
 
-/// ∫ S dt.
-template <class Map, class T>
-[[gnu::always_inline]] inline T turned_in_flight(const Map&, const T& spin, const T& time) {
-    return spin * time;
+/// ∫ S dt of the flight that begins with `start`, a Flight or the state after an impact.
+template <class Map, class Start, class T>
+[[gnu::always_inline]] inline T turned_in_flight(const Map&, const Start& start, const T& time) {
+    return start.spin * time;
 }
 
 /// Does the map have polygons with rounded corners (map/corners)? They are not followed in contact.
@@ -47,6 +47,16 @@ template <class Map, class T>
     else
         return flight_from(map.body(), post_impact);
 }
+
+/// Does the map have a floor with dry friction (map/dry)? Contact over it is not followed.
+template <class Map>
+inline constexpr bool has_dry_floor = requires {
+    Map::has_dry_floor;
+};
+
+/// Does an orbit end where the body comes to stay on the wall?
+template <class Map>
+inline constexpr bool ends_on_wall = has_round_corners<Map> || has_dry_floor<Map>;
 
 /// How an orbit ends that meets the wall no more.
 template <class Map>
@@ -104,7 +114,7 @@ public:
     /// The map must outlive it.
     explicit ReturnMap(const Map& map) : map_(map) {
         const auto& s = map.scene();
-        if constexpr (has_round_corners<Map>) return;
+        if constexpr (ends_on_wall<Map>) return;
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
         contact_ = contact_scene(map.body(), s, Map::rule);
@@ -154,7 +164,7 @@ private:
 
     /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
-        return (contact_ || has_round_corners<Map>)&&c.flight_time == T(0) && c.impulse.normal == T(0);
+        return (contact_ || ends_on_wall<Map>)&&c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
     static bool is_no_number(const Collision<T>& c) { return is_out_of_range(c.after, c.impulse.normal); }
@@ -186,6 +196,7 @@ private:
                 return ending_without_contact(map_);
             case FirstContactOutcome::sustained:
                 if constexpr (has_round_corners<Map>) return Outcome::contact_of_corner;
+                if constexpr (has_dry_floor<Map>) return Outcome::contact_over_dry_floor;
                 return contact_ ? Outcome::unresolved : Outcome::resting;
             case FirstContactOutcome::unresolved:
                 return Outcome::unresolved;
@@ -207,7 +218,7 @@ template <class Map>
 auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
     ReturnStep<T> return_step;
     map_.advance(flight, return_step.collision);
-    return_step.turned = turned_in_flight(map_, flight.spin, return_step.collision.flight_time);
+    return_step.turned = turned_in_flight(map_, flight, return_step.collision.flight_time);
     return_step.outcome = outcome_of(return_step.collision.outcome);
     end_before_no_number(return_step);
     return return_step;
@@ -237,7 +248,7 @@ auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, cons
         fly(collision);
         if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision) &&
             !is_no_number(collision)) [[likely]] {
-            return_step.turned = turned_in_flight(map_, post_impact.spin, collision.flight_time);
+            return_step.turned = turned_in_flight(map_, post_impact, collision.flight_time);
             return_step.contact_work = T(0);
             return_step.contacts.clear();
             return return_step.outcome = Outcome::completed;
@@ -299,7 +310,7 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
         const Flight<T> flight = flight_from(map_.body(), leaving);
         collision = fly_off(flight);
         flight_time = collision.flight_time;
-        flight_turned = turned_in_flight(map_, flight.spin, flight_time);
+        flight_turned = turned_in_flight(map_, flight, flight_time);
         flight_normal = collision.normal;
         return_step.outcome = outcome_of(collision.outcome);
     } else {

@@ -3,6 +3,7 @@
 #include "map/contact/contact_series.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace swirl {
 
@@ -39,6 +40,10 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
     const double later = t - segment.start;
     if (!segment.in_contact) {
         const double lasts = segment.end - segment.start;
+        if (segment.path) {
+            const BentFlight::Place place = segment.path->at(later);
+            return {place.centre, segment.angle + place.turned, place.spin, place.turned};
+        }
         if (segment.floor.drags()) return moment_over_floor(scene, segment, later, lasts);
         const double share = lasts > 0 ? later / lasts : 0;
         const double turned = segment.spin * later;
@@ -61,7 +66,9 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
 
 TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)
     // The law plays no part between impacts.
-    : scene_(contact_scene(make_body(scene), scene, ImpactRule::poisson)), floor_(floor_drag(scene)) {}
+    : scene_(contact_scene(make_body(scene), scene, ImpactRule::poisson)),
+      floor_(floor_drag(scene)),
+      has_dry_floor_(scene.has_dry_floor()) {}
 
 ContactSink TrajectorySegmenter::sink() {
     return [this](const ContactSums<double>& sums, Support support, ContactMotion motion,
@@ -114,6 +121,10 @@ void TrajectorySegmenter::add_flight(double until, const Vec2<double>& position)
         flight.from = position_;
         flight.to = position;
         flight.floor = floor_;
+        if (bend_)
+            flight.path = bend_({time_, position_, velocity_, angle_, spin_}, until - time_);
+        else if (has_dry_floor_)
+            throw std::logic_error("flights over a floor with dry friction are asked for as straight ones");
         trajectory_.push_back(flight);
     }
     time_ = until;

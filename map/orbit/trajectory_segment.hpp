@@ -1,14 +1,17 @@
 // An orbit in continuous time: where the body is and how it turns at any moment, in flight and in contact.
 //
 // Between two impacts an orbit is a row of segments: flights, on which the centre moves uniformly and S is constant
-// (over a floor that drags: in closed form, map/dragged), and pieces of contact so short that one power series
-// (contact_series.hpp) gives the motion to rounding.
+// (over a floor that drags: in closed form, map/dragged; with dry friction: integrated, map/dry), and pieces of contact
+// so short that one power series (contact_series.hpp) gives the motion to rounding.
 #pragma once
 
 #include "map/model/floor_drag.hpp"
+#include "map/orbit/bent_flight.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace swirl {
@@ -17,10 +20,14 @@ namespace swirl {
 struct TrajectorySegment {
     double start = 0, end = 0;
     bool in_contact = false;
-    double angle = 0;                   ///< vertex 0's direction at the start, unwound
-    double spin = 0;                    ///< in flight: S
-    Vec2<double> from, to;              ///< in flight: the centre at both ends
-    FloorDrag<double> floor;            ///< in flight: what the floor does
+    double angle = 0;                        ///< vertex 0's direction at the start, unwound
+    double spin = 0;                         ///< in flight: S
+    Vec2<double> from, to;                   ///< in flight: the centre at both ends
+    FloorDrag<double> floor;                 ///< in flight: what the floor does
+    std::shared_ptr<const BentFlight> path;  ///< in flight over a floor with dry friction
+
+    /// Is its flight no straight line with constant S?
+    bool is_bent() const { return floor.drags() || path != nullptr; }
     Support support = Support::vertex;  ///< in contact, and so are the next two
     ContactMotion motion = ContactMotion::sticking;
     ContactState<double> state;  ///< at the start
@@ -50,6 +57,7 @@ public:
         position_ = {number(start.x), number(start.y)};
         angle_ = number(start.angle);
         spin_ = number(start.spin);
+        velocity_ = {number(start.vx), number(start.vy)};
     }
     template <class T>
     TrajectorySegmenter(const Scene<T>& scene, const SectionPoint<T>& z) : TrajectorySegmenter(in_double(scene)) {
@@ -57,10 +65,14 @@ public:
         position_ = centre_in_contact(state, 0);
         angle_ = state.psi + state.chi;
         spin_ = state.spin;
+        velocity_ = times(cis(state.psi), Vec2<double>{number(z.vn), number(z.vt)});
     }
 
     const ContactScene<double>& scene() const { return scene_; }
-    const FloorDrag<double>& floor() const { return floor_; }
+    /// From now on flights are these: of a scene with dry friction (map/orbit/dry_path.hpp).
+    void take_flights_from(BendFlight bend) { bend_ = std::move(bend); }
+    /// Are flights no straight lines with constant S?
+    bool bends_flights() const { return floor_.drags() || bend_; }
     /// Refers to this object.
     ContactSink sink();
 
@@ -76,6 +88,7 @@ public:
             add_flight(number(lab.t), {number(lab.x), number(lab.y)});
             angle_ = number(lab.angle);  // free of the sum's accumulated rounding
             spin_ = number(lab.spin);
+            velocity_ = {number(lab.vx), number(lab.vy)};
         }
         looks_.clear();
         return trajectory_;
@@ -107,7 +120,9 @@ private:
                 number(s.spin_drag),
                 s.floor,
                 number(s.tangential_restitution),
-                number(s.corner)};
+                number(s.corner),
+                number(s.floor_friction),
+                number(s.gravity_ratio)};
     }
     Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);
@@ -115,10 +130,12 @@ private:
 
     ContactScene<double> scene_;
     FloorDrag<double> floor_;
+    bool has_dry_floor_ = false;
+    BendFlight bend_;
     std::vector<Look> looks_;
     std::vector<TrajectorySegment> trajectory_;
     double time_ = 0;  ///< where the next segment begins: t, centre, angle, S
-    Vec2<double> position_{};
+    Vec2<double> position_{}, velocity_{};
     double angle_ = 0, spin_ = 0;
 };
 

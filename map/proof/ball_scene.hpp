@@ -26,7 +26,7 @@ using BallScene = SceneIn<Ball>;
 /// Every number is the shortest decimal that reads back to the scene's double.
 inline BallScene ball_scene(const Scene<double>& scene) {
     using intervals::decimal;
-    without_drag(scene, "a proof");
+    without_floor(scene, "a proof");
     without_tangential_restitution(scene, "a proof");
     without_rod(scene, "a proof");
     without_rounding(scene, "a proof");

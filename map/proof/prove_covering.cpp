@@ -202,7 +202,7 @@ std::vector<std::size_t> section_chart(const Scene<double>& scene) {
 }
 
 void require_chart(const Scene<double>& scene) {
-    without_drag(scene, "a proof of chaos");
+    without_floor(scene, "a proof of chaos");
     without_tangential_restitution(scene, "a proof of chaos");
     without_rod(scene, "a proof of chaos");
     without_rounding(scene, "a proof of chaos");

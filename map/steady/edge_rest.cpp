@@ -7,7 +7,7 @@
 namespace swirl {
 
 std::vector<EdgeRest> edge_rests(const Scene<double>& scene) {
-    without_rounding(without_drag(validated(scene), "rest on an edge"), "rest on an edge");
+    without_rounding(without_floor(validated(scene), "rest on an edge"), "rest on an edge");
     if (scene.is_disk() || scene.beta == 0) return {};
     const double mu = scene.mu, beta = scene.beta, alpha = scene.alpha;
     const double half = std::numbers::pi / scene.sides;

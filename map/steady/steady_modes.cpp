@@ -240,7 +240,7 @@ void find_families(const Scene<double>& scene, const SteadyOptions& options, Ste
 
 SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& options) {
     constexpr auto search = "the search for steady modes";
-    without_rounding(without_drag(validated(scene), search), search);
+    without_rounding(without_floor(validated(scene), search), search);
     if (!(options.longest_flight > 0 && options.longest_flight <= 1e4))
         detail::out_of_range("longest-flight", options.longest_flight, "0 < longest-flight <= 10000");
     if (options.most < 1) detail::out_of_range("most", static_cast<double>(options.most), "1 <= most");

@@ -136,7 +136,7 @@ class Record:
         """The scene's parameters. A sweep keeps those that it does not vary among its settings."""
         attributes = {**self.attributes("settings"), **self.attributes("scene")}
         names = ("sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor", "drag", "spin_drag",
-                 "floor", "tangential_restitution", "corner")
+                 "floor_friction", "gravity_ratio", "floor", "tangential_restitution", "corner")
         given = Scene((name, attributes[name]) for name in names if name in attributes)
         if "inertia-factor" in attributes:
             given.setdefault("inertia_factor", attributes["inertia-factor"])
@@ -144,11 +144,14 @@ class Record:
 
 
     def require_straight_flights(self):
-        """@raises RecordError: over a floor that drags flights are no straight lines, and S falls on them."""
+        """@raises RecordError: over a floor that drags or has dry friction flights are no straight lines, and S falls on them."""
         attributes = {**self.attributes("settings"), **self.attributes("scene")}
         if attributes.get("drag", 0) or attributes.get("spin_drag", 0):
             raise RecordError(f"record '{self.path}' is of a floor that drags, to which flights in figures are not "
                               "extended")
+        if attributes.get("floor_friction", 0):
+            raise RecordError(f"record '{self.path}' is of a floor with dry friction, to which flights in figures are "
+                              "not extended")
 
 
 def open_record(record):

@@ -14,6 +14,8 @@ _PARAMETERS = {
     "restitution": ("e", r"$e$  (restitution)"),
     "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
     "drag": ("γ", r"$\gamma/\omega_s$  (drag of the floor)"),
+    "floor_friction": ("M", r"$M$  (dry friction of the floor)"),
+    "gravity_ratio": ("G", r"$G = g/R_c\omega_s^2$  (gravity)"),
     "spin_drag": ("γ_r", r"$\gamma_r/\omega_s$  (drag of the floor on the spin)"),
     "tangential_restitution": (r"$e_t$", r"$e_t$  (tangential restitution)"),
     "corner": ("r", r"$r/R_c$  (radius of rounded corners)"),
@@ -108,7 +110,7 @@ def scene_title(scene, leave_out=()):
         known = "sides" in scene and "sides" not in left_out
         if not known or abs(inertia - _uniform_inertia(scene["sides"])) > 1e-9:
             parts.append(f"κ = {number(inertia)}")
-    for name in ("drag", "spin_drag", "tangential_restitution", "corner"):
+    for name in ("drag", "spin_drag", "floor_friction", "gravity_ratio", "tangential_restitution", "corner"):
         if name in scene and name not in left_out:
             parts.append(f"{symbol(name)} = {number(scene[name])}")
     if scene.get("floor") == "table":

@@ -6,6 +6,7 @@ from mpmath import mp, mpc, mpf
 import corners
 import dragged
 import dragged_contact
+import dry
 import tangential
 from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
@@ -24,6 +25,8 @@ def text(value, digits):
 
 def digits_of(entry):
     """Significant digits of the decimal strings of an entry."""
+    if "floor_friction" in entry:
+        return dry.DIGITS
     if "collisions" in entry:
         return ORBIT_DIGITS
     if "event" in entry:
@@ -137,6 +140,8 @@ def searched_fixed_points(scene_fields, longest):
 
 
 def recomputed(entry):
+    if "floor_friction" in entry:
+        return dry.orbit(entry, text, wrapped)
     if "collisions" in entry:
         return orbit(entry)
     if "event" in entry:

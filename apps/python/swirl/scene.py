@@ -78,6 +78,9 @@ class Scene:
     drag, spin_drag : float, optional
         gamma and gamma_r of a floor that drags, in omega_s: force -gamma (V - V_floor), torque -gamma_r I S; 0, and as `drag`,
         by default.
+    floor_friction, gravity_ratio : float, optional
+        M and G = g/(R_c omega_s**2) of a floor with dry friction: force -M m g <u/|u|>, the mean over the body; 0 by default. G
+        is that of 9.80665 m/s**2 where R_c and omega_s are given and it is not.
     floor : {"dish", "table"}, optional
         Whether that floor moves with the container (the default) or is at rest.
     tangential_restitution : float, optional
@@ -97,7 +100,8 @@ class Scene:
 
     def __init__(self, sides=None, alpha=None, beta=None, mu=None, restitution=None, law="poisson", inertia_factor=None,
                  *, container_radius=None, swirl_radius=None, swirl_rate=None, polygon_radius=None, mass=None,
-                 drag=None, spin_drag=None, floor=None, tangential_restitution=None, corner=None, corner_radius=None):
+                 drag=None, spin_drag=None, floor=None, tangential_restitution=None, corner=None, corner_radius=None,
+                 floor_friction=None, gravity_ratio=None):
         given = {name: value for name, value in locals().items() if name != "self"}
         self._read([f"--{name.replace('_', '-')}={text_of_argument(name, value)}"
                     for name, value in given.items() if value is not None])
@@ -141,7 +145,9 @@ class Scene:
     inertia_factor = _value("inertia_factor", "kappa, I = kappa m R_p**2.")
     drag = _value("drag", "gamma, in omega_s.", 0.0)
     spin_drag = _value("spin_drag", "gamma_r, in omega_s.", 0.0)
-    floor = _value("floor", "`dish` or `table`; None of a floor that does not drag.")
+    floor_friction = _value("floor_friction", "M of the floor's dry friction.", 0.0)
+    gravity_ratio = _value("gravity_ratio", "g/(R_c omega_s**2), of a floor with dry friction.", 0.0)
+    floor = _value("floor", "`dish` or `table`; None of a floor that does not act.")
     tangential_restitution = _value("tangential_restitution", "e_t of the disk.", 0.0)
     corner = _value("corner", "r/R_c, the radius of rounded corners.", 0.0)
 
@@ -183,7 +189,8 @@ class Scene:
         outcome : ndarray of int8, shape (n,); a word of one state
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
             "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
-            impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner".
+            impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner", of
+            a floor with dry friction "contact-over-dry-floor".
 
         Notes
         -----

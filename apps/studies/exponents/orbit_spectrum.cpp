@@ -71,7 +71,7 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
                 result.per_time.push_back(exponent * static_cast<double>(result.spectrum.steps) / result.spectrum.time);
             result.sum = std::accumulate(result.exponents.begin(), result.exponents.end(), 0.0);
         }
-        if (scene.mu == 0 && scene.restitution == 1 && !scene.has_drag())
+        if (scene.mu == 0 && scene.restitution == 1 && !scene.acts_in_flight())
             result.jacobi_residual =
                 analysis::gradient_invariance(
                     map, begin.state, [&](const auto& state) { return jacobi_gradient(map, state); }, 100)

@@ -24,9 +24,10 @@ struct GridAxis {
 };
 
 /// Parameters of the scene that are numbers.
-inline constexpr std::array<const char*, 10> scene_axes = {
-    "alpha", "beta", "mu", "restitution", "inertia-factor", "sides", "drag", "spin-drag", "tangential-restitution",
-    "corner"};
+inline constexpr std::array<const char*, 12> scene_axes = {"alpha",       "beta",           "mu",
+                                                           "restitution", "inertia-factor", "sides",
+                                                           "drag",        "spin-drag",      "tangential-restitution",
+                                                           "corner",      "floor-friction", "gravity-ratio"};
 
 /// Of a start in the laboratory, in R_c, R_c ω_s, radians and ω_s.
 inline constexpr std::array<const char*, 6> start_numbers = {"x", "y", "vx", "vy", "angle", "spin"};

@@ -7,6 +7,7 @@
 #include "apps/studies/modes/rolling_bounces.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
 #include "map/dragged/riding.hpp"
+#include "map/dry/riding.hpp"
 
 #include <fmt/format.h>
 
@@ -156,19 +157,22 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
                                     : "a start whose orbit goes on: its impacts give the mode"});
 }
 
-/// A flight without contact over a floor that drags. False where nothing brings it to the floor's velocity.
+/// A flight without contact over a floor that drags or has dry friction. False where nothing brings it to the floor's
+/// velocity.
 bool name_riding(const Scene<double>& scene, const Flight<double>& flight, Outcome outcome,
                  analysis::Classification& verdict) {
     if (outcome != Outcome::riding && outcome != Outcome::no_contact) return false;
-    const std::optional<Riding> riding = riding_of(scene, flight);
+    const std::optional<Riding> riding =
+        scene.has_dry_floor() ? riding_over_dry_floor(scene, flight) : riding_of(scene, flight);
     if (!riding) return false;
     verdict.mode = analysis::Mode::steady;
     verdict.kind = analysis::Kind::riding;
     verdict.mean = riding->spin;
-    verdict.evidence = {{"room at the wall", riding->room, 0,
-                         "once the drag has taken what is left of its velocity the body goes along with the floor, and "
-                         "on the way there and after it nothing of it reaches the wall (proven)",
-                         "at most 0: it meets the wall again, and its impacts give the mode"}};
+    verdict.evidence = {
+        {"room at the wall", riding->room, 0,
+         "once the floor has taken what is left of its velocity the body goes along with the floor, and "
+         "on the way there and after it nothing of it reaches the wall (proven)",
+         "at most 0: it meets the wall again, and its impacts give the mode"}};
     return true;
 }
 
@@ -211,7 +215,7 @@ NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const NamingOp
 }  // namespace
 
 analysis::ClassifyOptions settings_for(const Scene<double>& scene, analysis::ClassifyOptions settings) {
-    settings.conserves = scene.mu == 0 && scene.restitution == 1 && !scene.has_drag();
+    settings.conserves = scene.mu == 0 && scene.restitution == 1 && !scene.acts_in_flight();
     return settings;
 }
 

@@ -48,6 +48,8 @@ template <class T>
 std::optional<BaselineSearch> baseline_for(const Scene<T>& scene, Accuracy accuracy) {
     const std::optional<BaselineSearch> search = baseline_of(accuracy);
     if (search && scene.has_drag()) refuse_baseline(accuracy, "a floor that drags");
+    if (accuracy != Accuracy::double_precision && scene.has_dry_floor())
+        refuse_baseline(accuracy, "a floor with dry friction");
     if (search && scene.is_rounded()) refuse_baseline(accuracy, "rounded corners");
     return search;
 }

@@ -7,7 +7,9 @@
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/corners/corner_derivative.hpp"
 #include "map/derivative/parameter.hpp"
+#include "map/dry/dry_derivative.hpp"
 #include "map/orbit/dragged_return_derivative.hpp"
+#include "map/orbit/dry_return.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -48,14 +50,15 @@ std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, 
     return done;
 }
 
-/// The dynamics of CollisionMap, of DraggedMap or of CornerMap: CollisionMap alone has lanes.
+/// The dynamics of CollisionMap, of DraggedMap, of DryMap or of CornerMap: CollisionMap alone has lanes.
 template <class Map_>
 class DynamicsInDouble final : public SceneDynamics<section_dimension<Map_::shape>> {
 public:
     using Map = Map_;
     static constexpr bool drags = requires(const Map& map) { map.floor(); };
     static constexpr bool is_rounded = has_round_corners<Map>;
-    static constexpr bool has_lanes_of_its_own = !drags && !is_rounded;
+    static constexpr bool is_dry = has_dry_floor<Map>;
+    static constexpr bool has_lanes_of_its_own = !drags && !is_rounded && !is_dry;
     using Base = SceneDynamics<section_dimension<Map::shape>>;
     using State = typename Base::State;
     using Step = typename Base::Step;
@@ -94,6 +97,8 @@ public:
     double turned(const State& z, double duration) const override {
         if constexpr (drags)
             return map_.turned(z.spin, duration);
+        else if constexpr (is_dry)
+            return map_.turned(flight_from(body(), z), duration);
         else
             return Base::turned(z, duration);
     }
@@ -111,19 +116,22 @@ public:
         if (!is_rounded && parameter == Parameter::corner)
             throw std::logic_error("along the radius of corners the map is that of rounded corners");
         if (known.contacts.empty()) return derivative_along(map_, parameter, z, known.collision);
-        if constexpr (is_rounded)
-            throw std::logic_error("rounded corners are not followed in contact");
+        if constexpr (is_rounded || is_dry)
+            throw std::logic_error(not_in_contact);
         else
             return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        if constexpr (is_rounded)
-            throw std::logic_error("rounded corners are not followed in contact");
+        if constexpr (is_rounded || is_dry)
+            throw std::logic_error(not_in_contact);
         else
             return derivative_through_contact(return_map_, z, known, &series);
     }
 
 private:
+    static constexpr const char* not_in_contact =
+        "rounded corners, and bodies over a floor with dry friction, are not followed in contact";
+
     Map map_;
     ReturnMap<Map> return_map_;  ///< refers to it
 };

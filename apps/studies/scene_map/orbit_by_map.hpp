@@ -5,6 +5,7 @@
 #include "map/baselines/baseline_map.hpp"
 #include "map/corners/corner_map.hpp"
 #include "map/orbit/dragged_return.hpp"
+#include "map/orbit/dry_return.hpp"
 
 #include <memory>
 #include <optional>
@@ -45,6 +46,15 @@ SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start, const st
         if (search) throw std::invalid_argument("a baseline's search is not extended to a floor that drags");
         with_dragged_map(scene, own);
         return;
+    }
+    if (scene.has_dry_floor()) {
+        if constexpr (std::is_same_v<T, double>) {
+            if (search) throw std::invalid_argument("a baseline's search is not extended to a floor with dry friction");
+            with_dry_map(scene, own);
+            return;
+        } else {
+            throw std::invalid_argument("a floor with dry friction is followed in double alone; double is wanted");
+        }
     }
     if (scene.is_rounded()) {
         if (search) throw std::invalid_argument("a baseline's search is not extended to rounded corners");

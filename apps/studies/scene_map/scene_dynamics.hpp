@@ -72,6 +72,9 @@ std::shared_ptr<const SceneDynamics<section_dimension<Map::shape>>> make_rounded
 #define SWIRL_COMPILE_CORNER_DYNAMICS(T, SHAPE, RULE)                       \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
     make_dynamics_in_double<CornerMap<T, SHAPE, RULE>>(const Scene<double>&);
+#define SWIRL_COMPILE_DRY_DYNAMICS(T, SHAPE, RULE)                          \
+    template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
+    make_dynamics_in_double<DryMap<T, SHAPE, RULE>>(const Scene<double>&);
 #define SWIRL_COMPILE_ROUNDED_DYNAMICS(T, SHAPE, RULE)                      \
     template std::shared_ptr<const SceneDynamics<section_dimension<SHAPE>>> \
     make_rounded_dynamics<CollisionMap<T, SHAPE, RULE>>(const Scene<double>&, Accuracy);

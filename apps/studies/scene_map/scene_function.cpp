@@ -196,7 +196,7 @@ private:
 
 std::vector<std::string_view> outcome_names() {
     std::vector<std::string_view> names;
-    for (int number = 0; number <= static_cast<int>(Outcome::contact_of_corner); ++number) {
+    for (int number = 0; number <= static_cast<int>(Outcome::contact_over_dry_floor); ++number) {
         if (number == not_leaving) names.push_back("not-leaving");
         names.push_back(name_of(static_cast<Outcome>(number)));
     }

@@ -5,6 +5,7 @@
 #include "map/baselines/baseline_map.hpp"
 #include "map/corners/corner_map.hpp"
 #include "map/dragged/dragged_map.hpp"
+#include "map/dry/dry_map.hpp"
 #include "map/numbers/quad.hpp"
 
 #include <cstdint>
@@ -29,6 +30,12 @@ Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<do
             throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
                                         " is not extended to a floor that drags; double is wanted");
         return make_dynamics_in_double<DraggedMap<double, shape, rule>>(scene);
+    }
+    if (scene.has_dry_floor()) {
+        if (accuracy != Accuracy::double_precision)
+            throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) +
+                                        " is not extended to a floor with dry friction; double is wanted");
+        return make_dynamics_in_double<DryMap<double, shape, rule>>(scene);
     }
     if (scene.is_rounded()) {
         if (accuracy != Accuracy::double_precision)

@@ -1,0 +1,246 @@
+#include "map/dry/dry_contact.hpp"
+
+#include "map/dry/riding.hpp"
+#include "map/first_contact/conservative_advancement.hpp"
+#include "map/first_contact/vertices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl {
+
+namespace {
+
+using detail::Candidate;
+using detail::NearestTwo;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_stations = 20'000;
+constexpr int most_looks = 100'000;
+
+/// Bounds from a moment on, for a time: |X′|, |X″|, |S|, |S′|, and with them g″ from above.
+struct Bounds {
+    double drift, spin;
+    double centre_second, vertex_second;
+};
+
+Bounds bounds_from(const DryFlight<double>& flight, const DryMoment<double>& moment, double time) {
+    const Body<double>& body = *flight.body;
+    const double a = flight.deceleration, second = flight.start.beta + a;
+    Bounds bounds;
+    bounds.drift = detail::magnitude(moment.at.drift) + second * time;
+    bounds.spin = std::fabs(moment.spin);  // friction never turns faster
+    const double spin_rate = a * flight.pressure->distance() * body.alpha * body.inverse_inertia;
+    const double rim = bounds.drift + body.alpha * bounds.spin;
+    bounds.centre_second = 2 * (bounds.drift * bounds.drift + body.outer * second);
+    bounds.vertex_second = 2 * (rim * rim + second + body.alpha * (bounds.spin * bounds.spin + spin_rate));
+    return bounds;
+}
+
+/// No contact within it: the first root of g + g′h + ½Mh².
+double safe_step(double value, double rate, double second) {
+    const double inside = std::min(value, 0.0);
+    const double root = std::sqrt(rate * rate - 2 * second * inside);
+    if (rate >= 0) return rate + root > 0 ? -2 * inside / (rate + root) : infinity;
+    return (root - rate) / second;
+}
+
+double centre_value(const DryFlight<double>& flight, const Instant<double>& at) {
+    const Body<double>& body = *flight.body;
+    const Flight<double>& start = flight.start;
+    if (!start.struck) return circle_gap(body, at.centre);
+    if (body.sides == disk_sides) return 2 * (body.unbiased_inner * at.moved.x) + dot(at.moved, at.moved);
+    const double at_start =
+        2 * (start.arm.x > 0 ? start.arm.y * start.arm.y / (body.alpha + start.arm.x) : body.alpha - start.arm.x);
+    return at_start + (2 * dot(start.centre, at.moved) + dot(at.moved, at.moved));
+}
+
+double centre_rate(const Instant<double>& at) {
+    return 2 * dot(at.centre, at.drift);
+}
+
+void look_at(const DryFlight<double>& flight, const DryMoment<double>& moment, Candidate<double>& vertex) {
+    const Body<double>& body = *flight.body;
+    const Instant<double>& at = moment.at;
+    vertex.arm = body.turned_to_vertex(at.arm, vertex.vertex);
+    const Vec2<double> x = at.centre + vertex.arm;
+    const Vec2<double> rate = at.drift + moment.spin * quarter_turned(vertex.arm);
+    double value;
+    if (flight.start.struck && vertex.vertex == 0)
+        value = struck_value(at);
+    else if (flight.start.struck && body.short_sides)
+        value = detail::short_side_gap(body, at, vertex.vertex);
+    else
+        value = (dot(x, x) - 1) + 2 * dot(x, body.residual_of_vertex(at.arm, vertex.vertex));
+    vertex.gap = {value, 2 * dot(x, rate), 0, 0};
+}
+
+void look_around(const DryFlight<double>& flight, const DryMoment<double>& moment, NearestTwo<double>& pair) {
+    const Body<double>& body = *flight.body;
+    pair.first.arm = body.turned_to_vertex(moment.at.arm, pair.first.vertex);
+    detail::turn_to_nearest(body, moment.at.centre, moment.at.arm, pair.first);
+    look_at(flight, moment, pair.first);
+    const int side = cross(pair.first.arm, moment.at.centre) >= 0 ? 1 : -1;
+    pair.second.vertex = body.vertex_number(pair.first.vertex + side);
+    look_at(flight, moment, pair.second);
+}
+
+/// At the wall as nearly as its place or the time can say.
+bool is_at_wall(const Gap<double>& gap, double time) {
+    return gap.rate > 0 && (gap.value >= -2 * epsilon<double>() || -gap.value <= epsilon<double>() * time * gap.rate);
+}
+
+/// Searches from wall to wall, station by station.
+template <Shape shape>
+class Search {
+public:
+    explicit Search(const DryFlight<double>& flight) : flight_(flight), body_(*flight.body), course_(flight) {}
+
+    DryContact find() {
+        result_.moment = moment_at(course_.station(), 0);
+        if (flight_.start.struck && !leaves()) return ended(FirstContactOutcome::sustained);
+        for (int stations = 0; stations < most_stations; ++stations) {
+            if (course_.has_stopped()) return stopped();
+            if (rides(flight_, result_.moment)) return ended(FirstContactOutcome::no_contact);
+            course_.advance();
+            if (meets_wall_on_step()) return result_;
+            if (result_.found.steps > most_looks) break;
+        }
+        return ended(FirstContactOutcome::unresolved);
+    }
+
+private:
+    DryContact ended(FirstContactOutcome outcome) {
+        result_.found.outcome = outcome;
+        return result_;
+    }
+
+    /// A body that has stopped on a dish goes along with it for ever; on a table it waits for the wall.
+    DryContact stopped() {
+        if (flight_.is_dish) return ended(FirstContactOutcome::no_contact);
+        result_.has_stopped = true;
+        return result_;
+    }
+
+    DryMoment<double> moment_at(const Station<double>& station, double later) const {
+        if (later == 0) return dry_moment<shape>(flight_, station.time, station.y);
+        return dry_moment<shape>(flight_, station.time + later, slowing_after(flight_, station, later));
+    }
+
+    double rate_rounding() const {
+        const Flight<double>& start = flight_.start;
+        return 16 * epsilon<double>() *
+               (std::fabs(start.velocity.x) + std::fabs(start.velocity.y) + start.beta +
+                std::fabs(start.spin) * body_.alpha);
+    }
+
+    bool leaves() const {
+        const Gap<double> gap = struck_gap_at_start(flight_);
+        const double rounding = rate_rounding();
+        return gap.rate < -rounding || (gap.rate <= rounding && gap.curvature < 0);
+    }
+
+    /// Between the last two stations.
+    bool meets_wall_on_step() {
+        const Station<double>& from = course_.before();
+        const double whole = course_.step();
+        double later = 0;
+        while (true) {  // ends: contact, the next station, or too many looks
+            if (++result_.found.steps > most_looks) return false;
+            const double step = step_from_moment(whole - later);
+            if (result_.found.outcome == FirstContactOutcome::contact) return true;
+            if (!(step < whole - later)) break;
+            later += step;
+            result_.moment = moment_at(from, later);
+        }
+        result_.moment = moment_at(course_.station(), 0);
+        return false;
+    }
+
+    /// A step from the moment that touches nothing, or the contact there.
+    double step_from_moment(double left) {
+        const Bounds bounds = bounds_from(flight_, result_.moment, left);
+        if constexpr (shape == Shape::disk)
+            return step_of_disk(bounds);
+        else
+            return step_of_polygon(bounds);
+    }
+
+    double step_of_disk(const Bounds& bounds) {
+        const Instant<double>& at = result_.moment.at;
+        const Gap<double> gap{centre_value(flight_, at), centre_rate(at), 0, 0};
+        if (at.time > 0 && is_at_wall(gap, at.time)) {
+            result_.found.outcome = FirstContactOutcome::contact;
+            result_.found.arm = (body_.alpha / body_.inner) * at.centre;
+            return 0;
+        }
+        return step_at_least(safe_step(gap.value, gap.rate, bounds.centre_second));
+    }
+
+    double step_of_polygon(const Bounds& bounds) {
+        const Instant<double>& at = result_.moment.at;
+        const double value = centre_value(flight_, at);
+        const double ring = 0.25 * (body_.outer * body_.outer - body_.inner * body_.inner);
+        if (value < -ring) return step_at_least(safe_step(value, centre_rate(at), bounds.centre_second));
+        look_around(flight_, result_.moment, pair_);
+        const bool first = at_wall(pair_.first), second = at_wall(pair_.second);
+        if (first || second) {
+            result_.found.at.time = at.time;
+            detail::choose(pair_, 1.0, result_.found);
+            return 0;
+        }
+        // two_are_enough, with the bounds of this step
+        const double distance = detail::magnitude(at.centre);
+        const double limit =
+            std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance), distance / (2 * bounds.drift));
+        const double step = std::min(safe_step(pair_.first.gap.value, pair_.first.gap.rate, bounds.vertex_second),
+                                     safe_step(pair_.second.gap.value, pair_.second.gap.rate, bounds.vertex_second));
+        return step_at_least(std::min(step, limit));
+    }
+
+    /// Not the vertex that leaves from there at the start.
+    bool at_wall(const Candidate<double>& vertex) const {
+        const double time = result_.moment.at.time;
+        if (time == 0 && flight_.start.struck)
+            return vertex.vertex != 0 && vertex.gap.value >= 0 && vertex.gap.rate > rate_rounding();
+        return is_at_wall(vertex.gap, time);
+    }
+
+    /// What is shorter than the time's rounding would not move on.
+    double step_at_least(double step) const {
+        return std::max(step, std::max(epsilon<double>() * result_.moment.at.time, 1e-300));
+    }
+
+    const DryFlight<double>& flight_;
+    const Body<double>& body_;
+    DryCourse course_;
+    NearestTwo<double> pair_;
+    DryContact result_;
+};
+
+}  // namespace
+
+Gap<double> struck_gap_at_start(const DryFlight<double>& flight) {
+    const Flight<double>& start = flight.start;
+    const Slowing<double> rate = detail::slowing_rate(flight, 0.0, Slowing<double>{});
+    const Vec2<double> swirl = start.beta * start.phase;
+    const Vec2<double> drift = start.velocity - quarter_turned(swirl);
+    const Vec2<double> second = swirl + Vec2<double>{rate[2], rate[3]};
+    if (flight.body->sides == disk_sides)
+        return {0, 2 * dot(start.centre, drift), 2 * (dot(drift, drift) + dot(start.centre, second)), 0};
+    const Vec2<double> across = quarter_turned(start.arm);
+    const Vec2<double> x_rate = drift + start.spin * across;
+    const Vec2<double> x_second = second + rate[5] * across - start.spin * start.spin * start.arm;
+    return {0, 2 * x_rate.x, 2 * (dot(x_rate, x_rate) + x_second.x), 0};
+}
+
+template <Shape shape>
+DryContact first_contact(const DryFlight<double>& flight) {
+    return Search<shape>(flight).find();
+}
+
+template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
+template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
+
+}  // namespace swirl

@@ -1,0 +1,29 @@
+// The first contact of a flight over a floor with dry friction, certified: between two stations of the integration
+// friction's acceleration, which is bounded, bounds g″. map/dry/README.md, "First contact".
+#pragma once
+
+#include "map/dry/dry_flight.hpp"
+#include "map/first_contact/bounds.hpp"
+
+namespace swirl {
+
+/// How a flight ends.
+struct DryContact {
+    FirstContact<double> found;  ///< `found.at` is not set: `moment.at` is
+    DryMoment<double> moment;    ///< of the contact, or where the body has stopped
+    bool has_stopped = false;    ///< it stopped and rests in the laboratory until the wall comes: `found` is not set
+};
+
+/// The first time at which the rim or a vertex reaches the wall, or at which the body stops. `no_contact`: it goes
+/// along with a dish, by README, "Riding".
+template <Shape shape>
+DryContact first_contact(const DryFlight<double>& flight);
+
+extern template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
+extern template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
+
+/// Friction's share of the body's acceleration at the start, which says whether it leaves the wall.
+///   struck gap of the vertex (disk: of the rim) that is on the wall, with g′ and g″
+Gap<double> struck_gap_at_start(const DryFlight<double>& flight);
+
+}  // namespace swirl

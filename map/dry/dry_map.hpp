@@ -1,0 +1,144 @@
+// The collision map over a floor with dry friction, in double: flight and first contact are its own, the impact is
+// CollisionMap's. map/dry/README.md
+#pragma once
+
+#include "map/collision_map.hpp"
+#include "map/contact/chatter_completion.hpp"
+#include "map/dry/dry_contact.hpp"
+#include "map/map_list.hpp"
+
+#include <cmath>
+#include <memory>
+#include <type_traits>
+
+namespace swirl {
+
+namespace detail {
+
+/// The scene that impacts know.
+template <class T>
+Scene<T> over_smooth_floor(Scene<T> scene) {
+    scene.floor_friction = T(0);
+    scene.floor = Floor::dish;
+    return scene;
+}
+
+}  // namespace detail
+
+/// The flight of a body that has stopped in the laboratory: without friction, which holds it.
+template <class T>
+Flight<T> resting(const DryFlight<T>& flight, const DryMoment<T>& moment) {
+    Flight<T> rest = flight.start;
+    rest.centre = moment.at.centre;
+    rest.velocity = {T(0), T(0)};
+    rest.phase = moment.at.phase;
+    rest.spin = T(0);
+    if (flight.body->sides != disk_sides) rest.arm = moment.at.arm;
+    rest.struck = flight.start.struck && plain(moment.at.time) == 0;
+    return rest;
+}
+
+/// F over a floor whose friction is dry (Coulomb), with uniform pressure under the body; a_f = 0 gives CollisionMap's
+/// to rounding. Where the body comes to stay on the wall the orbit ends (`FirstContactOutcome::sustained`): contact is
+/// not followed. That is as of CornerMap: after an impact that leaves at v with the acceleration a > 0 back to the wall
+/// if 2v² ≤ 16 ε a (1 − e), or if v is rounding.
+template <class T, Shape shape_, ImpactRule rule_>
+class DryMap {
+public:
+    static constexpr Shape shape = shape_;
+    static constexpr ImpactRule rule = rule_;
+    static constexpr bool has_dry_floor = true;
+    using Number = T;
+    using Impacts = CollisionMap<T, shape, rule>;
+
+    ///   similar  as in `make_body`
+    /// @throws std::invalid_argument if a parameter is out of range, sides > UniformPressure::most_sides, the floor
+    /// drags or corners are rounded
+    explicit DryMap(const Scene<T>& scene, const Body<T>* similar = nullptr)
+        : scene_(validated(scene)),
+          impacts_(detail::over_smooth_floor(scene), similar),
+          pressure_(std::make_shared<const UniformPressure>(scene.sides)) {}
+
+    const Scene<T>& scene() const { return scene_; }
+    const Body<T>& body() const { return impacts_.body(); }
+    const Impacts& impacts() const { return impacts_; }
+    const UniformPressure& pressure() const { return *pressure_; }
+
+    /// `start` with what acts on it; refers to this map.
+    DryFlight<T> dry_flight(const Flight<T>& start) const {
+        return {start, &body(), pressure_.get(), scene_.floor_deceleration(), scene_.floor == Floor::dish};
+    }
+
+    /// F, from just after an impact. Cost: some 100 means over the body's area.
+    Collision<T> advance(const PostImpactState<T>& post_impact) const {
+        return advance(flight_from(body(), post_impact));
+    }
+    /// The first impact of any flight.
+    Collision<T> advance(const Flight<T>& flight) const {
+        Collision<T> collision;
+        advance(flight, collision);
+        return collision;
+    }
+    /// F, written into an existing collision; `post_impact` may be its own `after`, which stays as it is if no contact
+    /// is found.
+    void advance(const PostImpactState<T>& post_impact, Collision<T>& collision) const {
+        advance(flight_from(body(), post_impact), collision);
+    }
+    void advance(const Flight<T>& start, Collision<T>& collision) const {
+        static_assert(std::is_same_v<T, double>, "in Jets flights are followed along one in double");
+        const DryFlight<T> flight = dry_flight(start);
+        if (stays_on_wall(flight)) {
+            collision.outcome = FirstContactOutcome::sustained;
+            return;
+        }
+        const DryContact contact = first_contact<shape>(flight);
+        if (contact.has_stopped) return advance_from_rest(flight, contact.moment, collision);
+        const FirstContact<T>& found = contact.found;
+        if (found.outcome == FirstContactOutcome::contact)
+            impacts_.strike(arriving(flight, contact.moment), contact.moment.at, found.arm, found.vertex, collision);
+        collision.outcome = found.outcome;
+        collision.steps = found.steps;
+        collision.vertex_step = found.vertex;
+        collision.simultaneous = found.simultaneous;
+    }
+
+    /// ∫ S dt of a flight until `time`.
+    double turned(const Flight<double>& start, double time) const {
+        const DryFlight<double> flight = dry_flight(start);
+        DryCourse course(flight);
+        while (!course.has_stopped() && course.station().time < time) course.advance();
+        const bool is_after = course.station().time > time;
+        const Station<double>& at = is_after ? course.before() : course.station();
+        const double until = is_after ? time : at.time;
+        const double slowed = is_after ? slowing_after(flight, at, time - at.time)[4] : at.y[4];
+        return start.spin * until + slowed;
+    }
+
+private:
+    /// It rests in the laboratory, on a table, until the wall comes.
+    void advance_from_rest(const DryFlight<T>& flight, const DryMoment<T>& moment, Collision<T>& collision) const {
+        impacts_.advance(resting(flight, moment), collision);
+        collision.flight_time = collision.flight_time + moment.at.time;
+    }
+
+    bool stays_on_wall(const DryFlight<T>& flight) const {
+        using std::fabs;
+        const Flight<T>& start = flight.start;
+        if (!start.struck || !(scene_.restitution < T(1))) return false;
+        const Gap<T> gap = struck_gap_at_start(flight);  // g′ = 2u_n, g″ = 2a
+        const T v = T(-0.5) * gap.rate, acceleration = T(0.5) * gap.curvature;
+        return acceleration > 0 && T(2) * v * v <= chatter_tolerance<T>() * acceleration * (T(1) - scene_.restitution);
+    }
+
+    Scene<T> scene_;
+    Impacts impacts_;
+    std::shared_ptr<const UniformPressure> pressure_;
+};
+
+/// Calls `use(map)` with the map specialised for the scene.
+template <class T, class Use>
+auto with_dry_map(const Scene<T>& scene, Use&& use) {
+    return with_map<DryMap>(scene, use);
+}
+
+}  // namespace swirl

@@ -1,0 +1,73 @@
+#include "map/dry/uniform_pressure.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swirl {
+
+namespace {
+
+/// Over one of the N triangles between the centre and a side, in R_p; r is a part of the way from the centre to a point
+/// of the side: what is `of` such a point e goes as rⁿ.
+template <class Of>
+double mean_over_triangle(int sides, int n, const Of& of) {
+    const std::complex<double> next = std::polar(1.0, 2 * pi<double>() / sides);
+    const auto along = [&](double s) { return of(1.0 + s * (next - 1.0)); };
+    return boost::math::quadrature::gauss<double, 30>::integrate(along, 0.0, 1.0) * 2 / (n + 2);
+}
+
+}  // namespace
+
+UniformPressure::UniformPressure(int sides) : sides_(sides) {
+    if (sides != disk_sides && (sides < rod_sides || sides > most_sides))
+        throw std::invalid_argument("sides = " + std::to_string(sides) + " is outside its range: 2 to " +
+                                    std::to_string(most_sides) + ", or disk (over a floor with dry friction)");
+    force_ = harmonics(0);
+    torque_ = harmonics(1);
+    square_ = moment(1, 1);
+    if (sides == disk_sides)
+        distance_ = 2.0 / 3;
+    else if (sides == rod_sides)
+        distance_ = 0.5;
+    else
+        distance_ = mean_over_triangle(sides, 1, [](const std::complex<double>& e) { return std::abs(e); });
+}
+
+double UniformPressure::moment(int a, int b) const {
+    if (sides_ == disk_sides) return a == b ? 1.0 / (a + 1) : 0.0;
+    if ((a - b) % sides_ != 0) return 0;
+    if (sides_ == rod_sides) return 1.0 / (a + b + 1);
+    return mean_over_triangle(sides_, a + b, [&](const std::complex<double>& e) {
+        return std::real(std::pow(e, a) * std::pow(std::conj(e), b));
+    });
+}
+
+std::vector<UniformPressure::Harmonic> UniformPressure::harmonics(int shift) const {
+    std::vector<double> roots(order + 1, 1.0), inverse_roots(order + 1, 1.0);  // binom(±½, k)
+    for (std::size_t k = 1; k <= order; ++k) {
+        const double before = static_cast<double>(k) - 1;
+        roots[k] = roots[k - 1] * (0.5 - before) / static_cast<double>(k);
+        inverse_roots[k] = inverse_roots[k - 1] * (-0.5 - before) / static_cast<double>(k);
+    }
+    std::vector<Harmonic> all;
+    for (int n = -order; n <= order; ++n) {
+        const bool is_there = sides_ == disk_sides ? n == shift : (n - shift) % sides_ == 0;
+        if (!is_there) continue;
+        Harmonic harmonic{n, {}};
+        for (int a = std::max(n, 0); 2 * a - n <= order; ++a)
+            harmonic.coefficients.push_back(roots[static_cast<std::size_t>(a)] *
+                                            inverse_roots[static_cast<std::size_t>(a - n)] * moment(a, a - n + shift));
+        all.push_back(std::move(harmonic));
+    }
+    return all;
+}
+
+}  // namespace swirl

@@ -1,0 +1,36 @@
+// A flight that is neither straight nor in closed form, for who asks where the body is on it.
+#pragma once
+
+#include "map/numbers/vec2.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace swirl {
+
+/// A flight in the laboratory's axes.
+class BentFlight {
+public:
+    /// What the body is at a moment.
+    struct Place {
+        Vec2<double> centre;  ///< in the laboratory, R_c
+        double spin = 0;      ///< S
+        double turned = 0;    ///< ∫ S dt from the start
+    };
+
+    virtual ~BentFlight() = default;
+    /// A time after the start, in 1/ω_s.
+    virtual Place at(double later) const = 0;
+};
+
+/// How a flight begins in the laboratory.
+struct FlightBegin {
+    double time = 0;  ///< t
+    Vec2<double> centre, velocity;
+    double angle = 0, spin = 0;  ///< vertex 0's direction, S
+};
+
+/// The flight from there, which lasts so long.
+using BendFlight = std::function<std::shared_ptr<const BentFlight>(const FlightBegin& begin, double lasts)>;
+
+}  // namespace swirl

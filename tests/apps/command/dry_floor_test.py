@@ -1,0 +1,87 @@
+"""--floor-friction and --gravity-ratio, from outside: dry_floor_test.py SWIRL. What follows a floor with dry friction, and what
+refuses it."""
+
+import math
+import unittest
+
+import h5py
+
+from driving import InFolder, document, run
+from every_command import ASKED, FollowedOrRefused
+
+PLAIN = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+DRY = f"{PLAIN} --floor-friction 0.05 --gravity-ratio 1"
+REFUSED = {"tradeoff", "certify", "boundaries", "describe"}
+
+
+class DryFloor(InFolder, FollowedOrRefused):
+    def test_every_command_with_a_scene_follows_or_refuses_it(self):
+        self.check_every_command(ASKED, lambda name: DRY, REFUSED, ["floor-friction = 0.05"],
+                                 {"floor_friction": 0.05, "gravity_ratio": 1, "floor": "dish"})
+
+    def test_without_friction_nothing_changes(self):
+        plain = run(f"simulate {PLAIN} --collisions 50 --json").stdout
+        self.assertEqual(run(f"simulate {PLAIN} --collisions 50 --floor-friction 0 --json").stdout, plain)
+        self.assertNotIn("friction_", plain)
+
+    def test_the_cycle_that_classify_finds_is_that_of_orbits(self):
+        mode = document(f"classify {DRY}")
+        self.assertEqual((mode["mode"], mode["kind"], mode["period"]), ("steady", "fixed-point", 1))
+        found = document(f"orbits {DRY} --period 1 --starts 300 --trajectories 2")["orbits"]
+        self.assertLess(min(abs(orbit["mean_S"] - mode["mean_S"]) for orbit in found if orbit["stability"] == "stable"), 1e-9)
+
+    def test_endings_have_names(self):
+        disk = DRY.replace("--sides 6", "--sides disk")
+        self.assertEqual(document(f"simulate {disk} --collisions 1000", 3)["outcome"], "contact-over-dry-floor")
+        slow = "--x 0.5 --y 0 --vx 0.02 --vy 0.3 --angle 0.1 --spin 0.2"
+        stops = f"{PLAIN} --floor-friction 0.3 --gravity-ratio 2"  # a_f = 0.6 > beta: it stops, and the dish carries it
+        self.assertEqual(document(f"simulate {stops} {slow} --collisions 10", 3)["outcome"], "riding")
+        mode = document(f"classify {stops} {slow}")
+        self.assertEqual((mode["mode"], mode["kind"], mode["mean_S"]), ("steady", "riding", 0))
+
+    def test_samples_are_inside_and_join_the_impacts(self):
+        found = document(f"simulate {DRY} --floor table --collisions 30 --sample 0.01")
+        self.assertGreater(len(found["samples"]), 1000)
+        for sample in found["samples"]:
+            place = complex(sample["x"], sample["y"]) - 0.5 * complex(math.cos(sample["t"]), math.sin(sample["t"]))
+            corners = [place + 0.4 * complex(math.cos(sample["angle"] + k * math.pi / 3), math.sin(sample["angle"] + k * math.pi / 3))
+                       for k in range(6)]
+            self.assertLess(max(map(abs, corners)), 1 + 1e-9)
+        for impact in found["collisions"]:  # speeds below 3: a sample within 0.01 of it is as near as that allows
+            near = min(found["samples"], key=lambda sample: abs(sample["t"] - impact["t"]))
+            self.assertLess(abs(complex(near["x"] - impact["x"], near["y"] - impact["y"])), 0.03)
+
+    def test_a_record_is_followed_again(self):
+        record = self.folder / "a.h5"
+        self.assertEqual(run(f"simulate {DRY} --collisions 300 --quiet -o {record}").returncode, 0)
+        with h5py.File(record) as file:
+            self.assertEqual((file["scene"].attrs["floor_friction"], file["scene"].attrs["gravity_ratio"]), (0.05, 1))
+        by_record = document(f"spectrum {record}")
+        self.assertEqual(by_record["scene"], document(f"spectrum {DRY} --collisions 300")["scene"])
+
+    def test_gravity_is_that_of_units(self):
+        units = "--container-radius 0.1 --swirl-rate 14"
+        scene = document(f"simulate {PLAIN} {units} --floor-friction 0.1 --collisions 3")["scene"]
+        self.assertAlmostEqual(scene["gravity_ratio"], 9.80665 / (0.1 * 14 ** 2), delta=1e-15)
+        self.assertIn("--gravity-ratio is missing", run(f"simulate {PLAIN} --floor-friction 0.1").stderr)
+
+    def test_grids_over_friction(self):
+        cells = document(f"sweep {PLAIN} --gravity-ratio 1 --grid floor-friction=0.01:0.05:2 --runs 1 --transient 50 "
+                         "--collisions 100")["cells"]
+        self.assertEqual([cell["parameters"]["floor-friction"] for cell in cells], [0.01, 0.05])
+
+    def test_wrong_input(self):
+        for extra, mention in (("--drag 0.1", "floor-friction = 0.05"), ("--corner 0.1", "corner = 0.1"),
+                               ("--sides 2000", "sides = 2000"), ("--gravity-ratio -1", "gravity-ratio = -1"),
+                               ("--floor-friction=-1", "floor-friction = -1"), ("--floor-friction nan", "floor-friction"),
+                               ("--accuracy quad", "dry friction"), ("--accuracy brent", "dry friction")):
+            flag = extra.replace("=", " ").split()[0]
+            words = " ".join(w for w in DRY.replace(" --", "\n--").split("\n") if not w.startswith(f"{flag} "))
+            result = run(f"simulate {words} {extra}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), (extra, result.stderr))
+            self.assertIn(mention, result.stderr)
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -48,7 +48,7 @@ Settings scene_settings(const Scene<double>& scene) {
     settings.emplace_back("inertia_factor", scene.inertia_factor);
     if (scene.has_drag()) settings.emplace_back("drag", scene.drag);
     if (!(scene.spin_drag < 0)) settings.emplace_back("spin_drag", scene.spin_drag);  // else it is as drag
-    if (scene.has_dry_floor()) {
+    if (scene.floor_friction != 0 || scene.gravity_ratio != 0) {
         settings.emplace_back("floor_friction", scene.floor_friction);
         settings.emplace_back("gravity_ratio", scene.gravity_ratio);
     }

@@ -162,6 +162,10 @@ Floor floor_from(const std::string& text) {
 }
 
 void SceneOptions::require_drag_of_floor() const {
+    if (has("gravity-ratio") && !has("floor-friction"))
+        throw BadInput(
+            fmt::format("gravity-ratio = {} acts by friction alone: --floor-friction M is wanted, 0 or 1e-75 to 1000",
+                        values_.at("gravity-ratio")));
     if (!floor_is_asked_ || has("drag") || has("spin-drag") || has("floor-friction")) return;
     throw BadInput(fmt::format("floor = {} acts by drag or friction alone: --drag G or --floor-friction M is wanted",
                                values_.at("floor")));
@@ -179,14 +183,12 @@ void SceneOptions::refuse_dry_floor() const {
                     text("floor-friction", "0")));
 }
 
-double SceneOptions::standard_gravity_ratio() const {
-    const auto own = units();
-    if (!own || !has("container-radius") || !has("swirl-rate"))
-        throw BadInput(
-            "--gravity-ratio is missing: G = g/(R_c omega_s^2) (or --container-radius and --swirl-rate, with g = "
-            "9.80665 m/s^2)");
+void SceneOptions::take_standard_gravity() {
+    if (!has("floor-friction") || has("gravity-ratio")) return;
+    if (!has("container-radius") || !has("swirl-rate")) return;
     constexpr double g = 9.80665;  // m/s², the standard's
-    return g * own->time * own->time / own->length;
+    const auto own = units();
+    values_["gravity-ratio"] = fmt::format("{:.17g}", g * own->time * own->time / own->length);
 }
 
 void SceneOptions::refuse_rod() {
@@ -250,6 +252,7 @@ void SceneOptions::read_file(bool quiet) {
     }
     for (const auto& [name, text] : flags_) values_[name] = text;
     floor_is_asked_ = has("floor");
+    take_standard_gravity();
     if (!quiet) note_inertia(text("inertia-factor", ""));
 }
 
@@ -257,6 +260,7 @@ void SceneOptions::set(const std::string& name, const std::string& text) {
     for (const auto& [flag, other] : same_quantity)
         if (name == flag) values_.erase(other);
     values_[name] = text;
+    if (name == "floor-friction") take_standard_gravity();
 }
 
 const std::string& SceneOptions::required(const std::string& name, const std::string& instead) const {

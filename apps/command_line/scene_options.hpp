@@ -83,8 +83,8 @@ private:
     [[noreturn]] void refuse_drag() const;
     /// @throws BadInput: a command that does not follow dry friction of the floor
     [[noreturn]] void refuse_dry_floor() const;
-    /// G at standard gravity. @throws BadInput where R_c and ω_s are not given
-    double standard_gravity_ratio() const;
+    /// G at standard gravity, where friction, R_c and ω_s are given and it is not.
+    void take_standard_gravity();
     /// @throws BadInput: a command that does not know the rod
     [[noreturn]] static void refuse_rod();
     /// @throws BadInput: a command that does not follow rounded corners
@@ -140,7 +140,9 @@ Scene<T> SceneOptions::scene(Extensions extensions) const {
     if (has("gravity-ratio"))
         scene.gravity_ratio = number_from<T>("gravity-ratio", values_.at("gravity-ratio"));
     else if (scene.floor_friction != T(0))
-        scene.gravity_ratio = T(standard_gravity_ratio());
+        throw BadInput(
+            "--gravity-ratio is missing: G = g/(R_c omega_s^2) (or --container-radius and --swirl-rate, with g = "
+            "9.80665 m/s^2)");
     if (has("floor")) scene.floor = floor_from(values_.at("floor"));
     if (has("tangential-restitution"))
         scene.tangential_restitution = number_from<T>("tangential-restitution", values_.at("tangential-restitution"));

@@ -182,7 +182,8 @@ private:
         const Instant<double>& at = result_.moment.at;
         const double value = centre_value(flight_, at);
         const double ring = 0.25 * (body_.outer * body_.outer - body_.inner * body_.inner);
-        if (value < -ring) return step_at_least(safe_step(value, centre_rate(at), bounds.centre_second));
+        const double by_circle = safe_step(value, centre_rate(at), bounds.centre_second);
+        if (value < -ring) return step_at_least(by_circle);
         look_around(flight_, result_.moment, pair_);
         const bool first = at_wall(pair_.first), second = at_wall(pair_.second);
         if (first || second) {
@@ -196,7 +197,7 @@ private:
             std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance), distance / (2 * bounds.drift));
         const double step = std::min(safe_step(pair_.first.gap.value, pair_.first.gap.rate, bounds.vertex_second),
                                      safe_step(pair_.second.gap.value, pair_.second.gap.rate, bounds.vertex_second));
-        return step_at_least(std::min(step, limit));
+        return step_at_least(std::max(std::min(step, limit), value < 0 ? by_circle : 0));  // both are safe
     }
 
     /// Not the vertex that leaves from there at the start.

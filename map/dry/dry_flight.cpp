@@ -8,7 +8,7 @@ namespace swirl {
 namespace {
 
 constexpr double least_step = 0x1p-44;
-/// A body that stops within such a time, or within rounding, has stopped: on its way there it moves by less than 10⁻²⁰.
+/// A body that stops within such a time, and moves by less than 10⁻²⁰ in it, or that slides by rounding, has stopped.
 constexpr double time_left_at_stop = 0x1p-36;
 
 struct Slip {
@@ -39,8 +39,12 @@ DryCourse::DryCourse(const DryFlight<double>& flight) : flight_(flight), station
 bool DryCourse::is_held(const Station<double>& station) const {
     if (flight_.is_dish && flight_.start.beta > flight_.deceleration) return false;
     const Slip slip = slip_of(flight_, station);
-    return slip.sliding + slip.spinning <=
-           std::max(64 * epsilon<double>() * speed_scale_, time_left_at_stop * fastest_change_);
+    const double rounding = 64 * epsilon<double>() * speed_scale_;
+    const double a = flight_.deceleration;
+    // By what is left it moves by |U|²/2a and turns by at most S times the time that is left.
+    const double sliding = std::min(time_left_at_stop * a, std::sqrt(2e-20 * a));
+    const double spinning = time_left_at_stop * (fastest_change_ - a - (flight_.is_dish ? flight_.start.beta : 0));
+    return (slip.sliding <= std::max(rounding, sliding) && slip.spinning <= std::max(rounding, spinning));
 }
 
 /// Near U = 0, S = 0 the direction of friction turns within the time in which the body comes there.

@@ -270,6 +270,23 @@ TEST(Dry, TheFirstContactIsTheFirst) {
     EXPECT_GE(flights, 40);
 }
 
+/// A rod longer than ⅔ R_c reaches the wall wherever its centre is, and its circle shelters it at the container's
+/// centre alone; κ far below rounding stops no body that slides.
+TEST(Dry, LongRodsAndLightRimsAreFollowed) {
+    Scene<double> rod = scene_over(0.01, 2);
+    rod.alpha = 0.8;
+    with_dry_map(rod, [&](const auto& map) {
+        const auto found = map.advance(flight_from(map.body(), LabStart<double>{0.5, 0, 0.4, 0.1, 0, 0.2}));
+        EXPECT_EQ(found.outcome, FirstContactOutcome::contact);
+    });
+    Scene<double> light = scene_over(0.6, disk_sides);
+    light.inertia_factor = 1e-12;
+    with_dry_map(light, [&](const auto& map) {
+        const auto found = map.advance(flight_from(map.body(), LabStart<double>{0.9, 0, 0.9, 0, 0, 0}));
+        EXPECT_NE(found.outcome, FirstContactOutcome::no_contact);
+    });
+}
+
 /// A body that has stopped on a table is at rest in the laboratory when the wall comes.
 TEST(Dry, ABodyAtRestOnATableIsTornLoose) {
     const Scene<double> scene = scene_over(0.5, 6, Floor::table);

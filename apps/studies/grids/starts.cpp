@@ -31,6 +31,9 @@ Scene<double> cell_scene(const GridStudy& study, std::size_t cell) {
         const std::string& name = study.grid[k].name;
         if (name == "sides") scene.sides = static_cast<int>(point[k]);
         if (name == "law") scene.law = static_cast<Law>(static_cast<int>(point[k]));
+        if (name == "spin-drag") scene.spin_drag = point[k];
+        if (name == "floor-friction") scene.floor_friction = point[k];
+        if (name == "gravity-ratio") scene.gravity_ratio = point[k];
         if (const auto parameter = parameter_named(name)) number_of(scene, *parameter) = point[k];
     }
     if (study.uniform && !has_axis(study.grid, "inertia-factor"))

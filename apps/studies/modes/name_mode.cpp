@@ -171,7 +171,8 @@ bool name_riding(const Scene<double>& scene, const Flight<double>& flight, Outco
     verdict.evidence = {
         {"room at the wall", riding->room, 0,
          "once the floor has taken what is left of its velocity the body goes along with the floor, and "
-         "on the way there and after it nothing of it reaches the wall (proven)",
+         "on the way there and after it nothing of it reaches the wall (proven; over dry friction with beta > M G "
+         "in linear order of what is left)",
          "at most 0: it meets the wall again, and its impacts give the mode"}};
     return true;
 }

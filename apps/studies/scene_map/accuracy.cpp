@@ -19,8 +19,9 @@ std::string_view name_of(Accuracy accuracy) {
 }
 
 void refuse_baseline(Accuracy accuracy, std::string_view what) {
-    throw std::invalid_argument("accuracy = " + std::string(name_of(accuracy)) + " is not extended to " +
-                                std::string(what) + "; double, extended or quad is wanted");
+    throw std::invalid_argument(
+        "accuracy = " + std::string(name_of(accuracy)) + " is not extended to " + std::string(what) +
+        (baseline_of(accuracy) ? "; double, extended or quad is wanted" : "; double is wanted"));
 }
 
 }  // namespace swirl::studies

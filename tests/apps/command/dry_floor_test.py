@@ -69,12 +69,21 @@ class DryFloor(InFolder, FollowedOrRefused):
         cells = document(f"sweep {PLAIN} --gravity-ratio 1 --grid floor-friction=0.01:0.05:2 --runs 1 --transient 50 "
                          "--collisions 100")["cells"]
         self.assertEqual([cell["parameters"]["floor-friction"] for cell in cells], [0.01, 0.05])
+        short = "--transient 50 --collisions 100"
+        for axis, rest in (("floor-friction=0,0.05", "--gravity-ratio 3.9"), ("gravity-ratio=0,3.9", "--floor-friction 0.05"),
+                           ("floor-friction=0,0.05", "--container-radius 0.1 --swirl-rate 5"), ("spin-drag=0,2", "--drag 0.01")):
+            name, values = axis.split("=")
+            cells = document(f"sweep {PLAIN} {rest} --grid {axis} --runs 1 {short}")["cells"]
+            for cell, value in zip(cells, values.split(",")):
+                alone = document(f"sweep {PLAIN} {rest} --{name} {value} --grid alpha=0.4,0.41 --runs 1 {short}")["cells"][0]
+                self.assertEqual(cell["runs"], alone["runs"], (axis, value))
 
     def test_wrong_input(self):
+        self.assertIn("--floor-friction M is wanted", run(f"simulate {PLAIN} --gravity-ratio 3").stderr)
         for extra, mention in (("--drag 0.1", "floor-friction = 0.05"), ("--corner 0.1", "corner = 0.1"),
                                ("--sides 2000", "sides = 2000"), ("--gravity-ratio -1", "gravity-ratio = -1"),
                                ("--floor-friction=-1", "floor-friction = -1"), ("--floor-friction nan", "floor-friction"),
-                               ("--accuracy quad", "dry friction"), ("--accuracy brent", "dry friction")):
+                               ("--accuracy quad", "double is wanted"), ("--accuracy brent", "dry friction")):
             flag = extra.replace("=", " ").split()[0]
             words = " ".join(w for w in DRY.replace(" --", "\n--").split("\n") if not w.startswith(f"{flag} "))
             result = run(f"simulate {words} {extra}")

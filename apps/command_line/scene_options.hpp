@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -107,7 +108,7 @@ Floor floor_from(const std::string& text);
 template <class T>
 T SceneOptions::positive(const std::string& name) const {
     const T value = number_from<T>(name, values_.at(name));
-    if (!(value > T(0)) || value - value != T(0))
+    if (!(value > T(0)) || !(value <= std::numeric_limits<T>::max()))
         throw BadInput(fmt::format("{} = {} is outside its range: {} > 0, finite", name, values_.at(name), name));
     return value;
 }

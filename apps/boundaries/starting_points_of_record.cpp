@@ -28,16 +28,14 @@ void require_same_scene(const RecordReader& record, const std::string& what, con
                           here = flag_text_of(value).value_or("?");
         if (there != here) throw BadInput(fmt::format("{} has {} = {}; the scene has {}", what, name, there, here));
     }
-    for (const char* name : {"drag", "spin_drag"})  // which scenes without have not among their settings
+    constexpr std::pair<const char*, const char*> unknown[] = {{"drag", "is of a floor that drags"},
+                                                               {"spin_drag", "is of a floor that drags"},
+                                                               {"floor_friction", "is of a floor with dry friction"},
+                                                               {"tangential_restitution", "has tangential restitution"},
+                                                               {"corner", "has rounded corners"}};
+    for (const auto& [name, words] : unknown)  // scenes without have them not among their settings
         if (record.has_attribute(group, name) && record.attribute<double>(group, name) != 0)
-            throw BadInput(fmt::format("{} is of a floor that drags, to which curves are not extended", what));
-    if (record.has_attribute(group, "floor_friction") && record.attribute<double>(group, "floor_friction") != 0)
-        throw BadInput(fmt::format("{} is of a floor with dry friction, to which curves are not extended", what));
-    if (record.has_attribute(group, "tangential_restitution") &&
-        record.attribute<double>(group, "tangential_restitution") != 0)
-        throw BadInput(fmt::format("{} has tangential restitution, to which curves are not extended", what));
-    if (record.has_attribute(group, "corner") && record.attribute<double>(group, "corner") != 0)
-        throw BadInput(fmt::format("{} has rounded corners, to which curves are not extended", what));
+            throw BadInput(fmt::format("{} {}, to which curves are not extended", what, words));
 }
 
 namespace {

@@ -161,7 +161,7 @@ Floor floor_from(const std::string& text) {
     throw BadInput(fmt::format("floor = {} is none of: dish, table", text));
 }
 
-void SceneOptions::require_drag_of_floor() const {
+void SceneOptions::require_acting_floor() const {
     if (has("gravity-ratio") && !has("floor-friction"))
         throw BadInput(
             fmt::format("gravity-ratio = {} acts by friction alone: --floor-friction M is wanted, 0 or 1e-75 to 1000",

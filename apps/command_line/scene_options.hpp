@@ -78,8 +78,8 @@ private:
     T ratio(const std::string& name, const std::string& length) const;
     template <class T>
     T positive(const std::string& name) const;
-    /// @throws BadInput: a floor that was asked for without drag or friction, which would be ignored
-    void require_drag_of_floor() const;
+    /// @throws BadInput: a floor without drag or friction, or gravity without friction, which would be ignored
+    void require_acting_floor() const;
     /// @throws BadInput: a command that does not follow drag
     [[noreturn]] void refuse_drag() const;
     /// @throws BadInput: a command that does not follow dry friction of the floor
@@ -148,7 +148,7 @@ Scene<T> SceneOptions::scene(Extensions extensions) const {
     if (has("tangential-restitution"))
         scene.tangential_restitution = number_from<T>("tangential-restitution", values_.at("tangential-restitution"));
     if (has("corner") || has("corner-radius")) scene.corner = ratio<T>("corner", "corner-radius");
-    require_drag_of_floor();
+    require_acting_floor();
     if (extensions == Extensions::refused && scene.has_drag()) refuse_drag();
     if (extensions == Extensions::refused && scene.has_dry_floor()) refuse_dry_floor();
     if (extensions == Extensions::refused && scene.tangential_restitution != T(0)) refuse_tangential_restitution();

@@ -253,29 +253,19 @@ void require_same_plane(const RecordReader& map, const RecordReader& curves, con
 /// The page's own map knows no drag, no dry friction of the floor, no tangential restitution, no rod and no rounded
 /// corners.
 void require_page_scene(const RecordReader& record, const std::string& file) {
-    const bool drags = record.contains("/sweep/drag") ||
-                       text_in(attributes_in(record, "/settings"), "along") == "drag" ||
-                       text_in(scene_in(record), "drag") || text_in(attributes_in(record, "/settings"), "drag");
-    if (drags)
-        throw BadInput(
-            fmt::format("record '{}' is of a floor that drags, to which the map of a page is not extended", file));
-    if (record.contains("/sweep/floor_friction") || text_in(scene_in(record), "floor_friction") ||
-        text_in(attributes_in(record, "/settings"), "floor_friction"))
-        throw BadInput(fmt::format(
-            "record '{}' is of a floor with dry friction, to which the map of a page is not extended", file));
-    const bool returns = record.contains("/sweep/tangential_restitution") ||
-                         text_in(attributes_in(record, "/settings"), "along") == "tangential-restitution" ||
-                         text_in(scene_in(record), "tangential_restitution") ||
-                         text_in(attributes_in(record, "/settings"), "tangential_restitution");
-    if (returns)
-        throw BadInput(
-            fmt::format("record '{}' has tangential restitution, to which the map of a page is not extended", file));
-    if (text_in(scene_in(record), "sides") == "2" || text_in(attributes_in(record, "/settings"), "sides") == "2")
-        throw BadInput(fmt::format("record '{}' is of a rod, to which the map of a page is not extended", file));
-    if (record.contains("/sweep/corner") || text_in(attributes_in(record, "/settings"), "along") == "corner" ||
-        text_in(scene_in(record), "corner") || text_in(attributes_in(record, "/settings"), "corner"))
-        throw BadInput(
-            fmt::format("record '{}' has rounded corners, to which the map of a page is not extended", file));
+    constexpr std::pair<const char*, const char*> unknown[] = {{"drag", "is of a floor that drags"},
+                                                               {"floor_friction", "is of a floor with dry friction"},
+                                                               {"tangential_restitution", "has tangential restitution"},
+                                                               {"corner", "has rounded corners"}};
+    const auto settings = attributes_in(record, "/settings"), scene = scene_in(record);
+    const auto refuse = [&file](const char* words) {
+        throw BadInput(fmt::format("record '{}' {}, to which the map of a page is not extended", file, words));
+    };
+    for (const auto& [name, words] : unknown)
+        if (record.contains(fmt::format("/sweep/{}", name)) || text_in(settings, "along") == flag_name(name) ||
+            text_in(scene, name) || text_in(settings, name))
+            refuse(words);
+    if (text_in(scene, "sides") == "2" || text_in(settings, "sides") == "2") refuse("is of a rod");
 }
 
 }  // namespace

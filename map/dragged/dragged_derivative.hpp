@@ -127,6 +127,38 @@ auto derivative_by_saltation(const DraggedMap<double, shape, rule>& map, const P
         });
 }
 
+namespace detail {
+
+/// dτ = −dg/g′ of the contact at a moment known in plain numbers (map/derivative/strike_along.hpp). A disk's centre has
+/// to reach |X| = 1 − α, which may change, too; a vertex |x| = 1.
+///   arm  of the vertex that touches
+template <Shape shape, class J>
+J contact_shift(const Body<J>& body, const Instant<J>& at, const J& spin, const Vec2<J>& arm) {
+    Vec2<J> x = at.centre, rate = at.drift;
+    J reach = body.inner;
+    if constexpr (shape == Shape::polygon) {
+        x = x + arm;
+        rate = rate + spin * quarter_turned(arm);
+        reach = J(Plain<J>(1));
+    }
+    J shift = J(Plain<J>(-1) / (2 * plain(dot(x, rate)))) * (dot(x, x) - reach * reach);
+    shift.a = Plain<J>(0);
+    return shift;
+}
+
+/// The arm of the vertex, of a disk that of the rim's point on the wall.
+template <Shape shape, class J>
+Vec2<J> arm_of_contact(const Body<J>& body, const Instant<J>& at, int vertex) {
+    if constexpr (shape == Shape::disk) {
+        using std::sqrt;
+        return (body.alpha / sqrt(dot(at.centre, at.centre))) * at.centre;
+    } else {
+        return body.turned_to_vertex(at.arm, vertex);
+    }
+}
+
+}  // namespace detail
+
 /// A collision that is known, once more in Jets (map/derivative/strike_along.hpp): `flight` carries the derivatives.
 template <class J, Shape shape, ImpactRule rule>
 Collision<J> strike_along(const DraggedMap<J, shape, rule>& map, const DraggedFlight<J>& flight, const Plain<J>& time,
@@ -139,26 +171,10 @@ Collision<J> strike_along(const DraggedMap<J, shape, rule>& map, const DraggedFl
         return moment;
     };
     const auto arm_at = [&](const DraggedInstant<J>& moment) {
-        if constexpr (shape == Shape::disk) {
-            using std::sqrt;
-            const Vec2<J>& x = moment.at.centre;
-            return Vec2<J>((map.body().alpha / sqrt(dot(x, x))) * x);
-        } else {
-            return map.body().turned_to_vertex(moment.at.arm, vertex);
-        }
+        return detail::arm_of_contact<shape>(map.body(), moment.at, vertex);
     };
     const DraggedInstant<J> nominal = moment_at_time(J(time));
-    const Vec2<J> arm = arm_at(nominal);
-    // A disk's centre has to reach |X| = 1 − α, which may change, too; a vertex |x| = 1.
-    Vec2<J> x = nominal.at.centre, rate = nominal.at.drift;
-    J reach = map.body().inner;
-    if constexpr (shape == Shape::polygon) {
-        x = x + arm;
-        rate = rate + nominal.spin * quarter_turned(arm);
-        reach = J(Plain<J>(1));
-    }
-    J shift = J(Plain<J>(-1) / (2 * plain(dot(x, rate)))) * (dot(x, x) - reach * reach);
-    shift.a = Plain<J>(0);
+    const J shift = detail::contact_shift<shape>(map.body(), nominal.at, nominal.spin, arm_at(nominal));
     const DraggedInstant<J> moment = moment_at_time(J(time) + shift);
     Collision<J> collision;
     map.strike(flight, moment, arm_at(moment), 0, collision);

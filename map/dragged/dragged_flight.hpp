@@ -135,20 +135,20 @@ template <class T>
 /// The disk's gap, and that of a polygon's circumscribed circle. Of a body that began on the wall, by what it has
 /// moved: |X|² − (1 − α)² = g₀ + 2X₀·d + |d|², g₀ = 0 of a disk and 2(α − a₀ₓ) of a polygon's circle.
 template <class T>
+[[gnu::always_inline]] inline T centre_value(const Body<T>& body, const Flight<T>& start, const Instant<T>& at) {
+    if (!start.struck) return circle_gap(body, at.centre);
+    if (body.sides == disk_sides) return T(2) * (body.unbiased_inner * at.moved.x) + dot(at.moved, at.moved);
+    const Vec2<T>& arm = start.arm;
+    const T at_start = T(2) * (arm.x > T(0) ? T(arm.y * arm.y / (body.alpha + arm.x)) : T(body.alpha - arm.x));
+    return at_start + (T(2) * dot(start.centre, at.moved) + dot(at.moved, at.moved));
+}
+
+/// With its derivatives.
+template <class T>
 [[gnu::always_inline]] inline Gap<T> centre_gap(const Body<T>& body, const DraggedFlight<T>& flight,
                                                 const DraggedInstant<T>& moment) {
     const Instant<T>& at = moment.at;
-    T value;
-    if (!flight.start.struck) {
-        value = circle_gap(body, at.centre);
-    } else if (body.sides == disk_sides) {
-        value = T(2) * (body.unbiased_inner * at.moved.x) + dot(at.moved, at.moved);
-    } else {
-        const Vec2<T>& arm = flight.start.arm;
-        const T at_start = T(2) * (arm.x > T(0) ? T(arm.y * arm.y / (body.alpha + arm.x)) : T(body.alpha - arm.x));
-        value = at_start + (T(2) * dot(flight.start.centre, at.moved) + dot(at.moved, at.moved));
-    }
-    return {value, T(2) * dot(at.centre, at.drift),
+    return {centre_value(body, flight.start, at), T(2) * dot(at.centre, at.drift),
             T(2) * (dot(at.drift, at.drift) + dot(at.centre, moment.acceleration)),
             T(2) * (T(3) * dot(at.drift, moment.acceleration) + dot(at.centre, moment.jerk))};
 }
@@ -169,17 +169,21 @@ template <class T>
             T(2) * (T(3) * dot(rate, acceleration) + dot(x, jerk))};
 }
 
-/// The same, by the vertex's number from the one that began the flight, whose gap is exact to rounding.
+/// g by the vertex's number from the one that began the flight, whose gap is exact to rounding.
+template <class T>
+[[gnu::always_inline]] inline T vertex_value(const Body<T>& body, const Flight<T>& start, const Instant<T>& at,
+                                             const Vec2<T>& arm, int vertex) {
+    if (start.struck && vertex == 0) return struck_value(at);
+    if (start.struck && body.short_sides) return detail::short_side_gap(body, at, vertex);
+    const Vec2<T> x = at.centre + arm;
+    return (dot(x, x) - T(1)) + T(2) * dot(x, body.residual_of_vertex(at.arm, vertex));
+}
+
+/// With its derivatives.
 template <class T>
 [[gnu::always_inline]] inline Gap<T> vertex_gap(const Body<T>& body, const DraggedFlight<T>& flight,
                                                 const DraggedInstant<T>& moment, const Vec2<T>& arm, int vertex) {
-    const Instant<T>& at = moment.at;
-    if (flight.start.struck && vertex == 0) return vertex_gap(flight, moment, arm, struck_value(at));
-    if (flight.start.struck && body.short_sides)
-        return vertex_gap(flight, moment, arm, detail::short_side_gap(body, at, vertex));
-    const Vec2<T> x = at.centre + arm;
-    return vertex_gap(flight, moment, arm,
-                      T((dot(x, x) - T(1)) + T(2) * dot(x, body.residual_of_vertex(at.arm, vertex))));
+    return vertex_gap(flight, moment, arm, vertex_value(body, flight.start, moment.at, arm, vertex));
 }
 
 }  // namespace swirl

@@ -1,5 +1,6 @@
 #include "map/dry/dry_contact.hpp"
 
+#include "map/dragged/dragged_flight.hpp"
 #include "map/dry/riding.hpp"
 #include "map/first_contact/conservative_advancement.hpp"
 #include "map/first_contact/vertices.hpp"
@@ -46,16 +47,6 @@ double safe_step(double value, double rate, double second) {
     return (root - rate) / second;
 }
 
-double centre_value(const DryFlight<double>& flight, const Instant<double>& at) {
-    const Body<double>& body = *flight.body;
-    const Flight<double>& start = flight.start;
-    if (!start.struck) return circle_gap(body, at.centre);
-    if (body.sides == disk_sides) return 2 * (body.unbiased_inner * at.moved.x) + dot(at.moved, at.moved);
-    const double at_start =
-        2 * (start.arm.x > 0 ? start.arm.y * start.arm.y / (body.alpha + start.arm.x) : body.alpha - start.arm.x);
-    return at_start + (2 * dot(start.centre, at.moved) + dot(at.moved, at.moved));
-}
-
 double centre_rate(const Instant<double>& at) {
     return 2 * dot(at.centre, at.drift);
 }
@@ -66,14 +57,7 @@ void look_at(const DryFlight<double>& flight, const DryMoment<double>& moment, C
     vertex.arm = body.turned_to_vertex(at.arm, vertex.vertex);
     const Vec2<double> x = at.centre + vertex.arm;
     const Vec2<double> rate = at.drift + moment.spin * quarter_turned(vertex.arm);
-    double value;
-    if (flight.start.struck && vertex.vertex == 0)
-        value = struck_value(at);
-    else if (flight.start.struck && body.short_sides)
-        value = detail::short_side_gap(body, at, vertex.vertex);
-    else
-        value = (dot(x, x) - 1) + 2 * dot(x, body.residual_of_vertex(at.arm, vertex.vertex));
-    vertex.gap = {value, 2 * dot(x, rate), 0, 0};
+    vertex.gap = {vertex_value(body, flight.start, at, vertex.arm, vertex.vertex), 2 * dot(x, rate), 0, 0};
 }
 
 void look_around(const DryFlight<double>& flight, const DryMoment<double>& moment, NearestTwo<double>& pair) {
@@ -128,17 +112,9 @@ private:
         return dry_moment<shape>(flight_, station.time + later, slowing_after(flight_, station, later));
     }
 
-    double rate_rounding() const {
-        const Flight<double>& start = flight_.start;
-        return 16 * epsilon<double>() *
-               (std::fabs(start.velocity.x) + std::fabs(start.velocity.y) + start.beta +
-                std::fabs(start.spin) * body_.alpha);
-    }
-
     bool leaves() const {
-        const Gap<double> gap = struck_gap_at_start(flight_);
-        const double rounding = rate_rounding();
-        return gap.rate < -rounding || (gap.rate <= rounding && gap.curvature < 0);
+        Gap<double> gap = struck_gap_at_start(flight_);
+        return !detail::stays(body_, flight_.start, gap);
     }
 
     /// Between the last two stations.
@@ -169,7 +145,7 @@ private:
 
     double step_of_disk(const Bounds& bounds) {
         const Instant<double>& at = result_.moment.at;
-        const Gap<double> gap{centre_value(flight_, at), centre_rate(at), 0, 0};
+        const Gap<double> gap{centre_value(body_, flight_.start, at), centre_rate(at), 0, 0};
         if (at.time > 0 && is_at_wall(gap, at.time)) {
             result_.found.outcome = FirstContactOutcome::contact;
             result_.found.arm = (body_.alpha / body_.inner) * at.centre;
@@ -180,7 +156,7 @@ private:
 
     double step_of_polygon(const Bounds& bounds) {
         const Instant<double>& at = result_.moment.at;
-        const double value = centre_value(flight_, at);
+        const double value = centre_value(body_, flight_.start, at);
         const double ring = 0.25 * (body_.outer * body_.outer - body_.inner * body_.inner);
         const double by_circle = safe_step(value, centre_rate(at), bounds.centre_second);
         if (value < -ring) return step_at_least(by_circle);
@@ -204,7 +180,8 @@ private:
     bool at_wall(const Candidate<double>& vertex) const {
         const double time = result_.moment.at.time;
         if (time == 0 && flight_.start.struck)
-            return vertex.vertex != 0 && vertex.gap.value >= 0 && vertex.gap.rate > rate_rounding();
+            return vertex.vertex != 0 && vertex.gap.value >= 0 &&
+                   vertex.gap.rate > detail::rate_rounding(body_, flight_.start);
         return is_at_wall(vertex.gap, time);
     }
 

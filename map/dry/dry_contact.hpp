@@ -22,8 +22,7 @@ DryContact first_contact(const DryFlight<double>& flight);
 extern template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
 extern template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
 
-/// Friction's share of the body's acceleration at the start, which says whether it leaves the wall.
-///   struck gap of the vertex (disk: of the rim) that is on the wall, with g′ and g″
+/// g′ and g″ at the start of the vertex (disk: of the rim) that is on the wall; without g‴.
 Gap<double> struck_gap_at_start(const DryFlight<double>& flight);
 
 }  // namespace swirl

@@ -4,6 +4,7 @@
 
 #include "map/derivative/parameter.hpp"
 #include "map/derivative/saltation.hpp"
+#include "map/dragged/dragged_derivative.hpp"
 #include "map/dry/dry_map.hpp"
 #include "map/numbers/jets.hpp"
 
@@ -14,13 +15,13 @@ namespace swirl {
 
 namespace detail {
 
-/// The last station before `time`, or that where it stops.
 template <class J>
 struct JetStation {
     Station<J> station;
     bool has_stopped = false;
 };
 
+/// The last station before `time`, or that where the body stops.
 template <class J>
 JetStation<J> station_before(const DryFlight<double>& plain_flight, const DryFlight<J>& flight, double time) {
     DryCourse course(plain_flight);
@@ -35,21 +36,6 @@ JetStation<J> station_before(const DryFlight<double>& plain_flight, const DryFli
         last.has_stopped = course.has_stopped();
     }
     return last;
-}
-
-/// dτ of the contact at `moment`, as in strike_along.hpp.
-template <Shape shape, class J>
-J contact_shift(const Body<J>& body, const DryMoment<J>& moment, const Vec2<J>& arm) {
-    Vec2<J> x = moment.at.centre, rate = moment.at.drift;
-    J reach = body.inner;
-    if constexpr (shape == Shape::polygon) {
-        x = x + arm;
-        rate = rate + moment.spin * quarter_turned(arm);
-        reach = J(Plain<J>(1));
-    }
-    J shift = J(Plain<J>(-1) / (2 * plain(dot(x, rate)))) * (dot(x, x) - reach * reach);
-    shift.a = Plain<J>(0);
-    return shift;
 }
 
 /// The collision in Jets.
@@ -67,15 +53,10 @@ Collision<J> strike_along_course(const DryMap<double, shape, rule>& map, const D
         return strike_along_flight(jets.impacts(), rest, time - plain(at.time), vertex);
     }
     const Body<J>& body = jets.body();
-    const auto arm_at = [&](const DryMoment<J>& moment) {
-        if constexpr (shape == Shape::disk)
-            return Vec2<J>((body.alpha / length_of(moment.at.centre)) * moment.at.centre);
-        else
-            return body.turned_to_vertex(moment.at.arm, vertex);
-    };
+    const auto arm_at = [&](const DryMoment<J>& moment) { return arm_of_contact<shape>(body, moment.at, vertex); };
     Slowing<J> y = slowing_after(flight, at, J(time) - at.time);
     const DryMoment<J> nominal = dry_moment<shape>(flight, J(time), y);
-    const J shift = contact_shift<shape>(body, nominal, arm_at(nominal));
+    const J shift = contact_shift<shape>(body, nominal.at, nominal.spin, arm_at(nominal));
     const Slowing<J> rate = slowing_rate(flight, J(time), y);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = y[i] + J(plain(rate[i])) * shift;
     const DryMoment<J> moment = dry_moment<shape>(flight, J(time) + shift, y);
@@ -89,7 +70,7 @@ auto derivative_by_jets(const DryMap<double, shape, rule>& map, const PostImpact
                         int vertex) {
     constexpr int dimension = section_dimension<shape>;
     using Jet = ceres::Jet<double, dimension>;
-    const DryMap<Jet, shape, rule> jets(scene_in<Jet>(map.scene()));
+    const DryMap<Jet, shape, rule> jets(scene_in<Jet>(map.scene()), nullptr, map.pressure());
     const auto c = coordinates<shape>(section_point(start));
     std::array<Jet, dimension> seeded;
     for (int i = 0; i < dimension; ++i) seeded[static_cast<std::size_t>(i)] = Jet(c[static_cast<std::size_t>(i)], i);
@@ -124,7 +105,7 @@ auto derivative_along(const DryMap<double, shape, rule>& map, Parameter paramete
     using Jet = ceres::Jet<double, 1>;
     Scene<Jet> along = scene_in<Jet>(map.scene());
     number_of(along, parameter).v[0] = 1;
-    const DryMap<Jet, shape, rule> jets(along);
+    const DryMap<Jet, shape, rule> jets(along, nullptr, map.pressure());
     const auto collision = detail::strike_along_course(map, jets, post_impact, state_in_jets<Jet>(post_impact),
                                                        known.flight_time, known.vertex_step);
     const auto next = coordinates<shape>(section_point(collision.after));

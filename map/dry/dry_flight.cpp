@@ -29,10 +29,9 @@ DryCourse::DryCourse(const DryFlight<double>& flight) : flight_(flight), station
     const Flight<double>& start = flight.start;
     speed_scale_ = std::hypot(start.velocity.x, start.velocity.y) + (flight.is_dish ? start.beta : 0) +
                    body.alpha * std::fabs(start.spin);
-    const double a = flight.deceleration;
-    fastest_change_ = (flight.is_dish ? start.beta : 0) + a +
-                      a * flight.pressure->distance() * body.alpha * body.alpha * body.inverse_inertia;
-    before_ = station_;
+    sliding_change_ = (flight.is_dish ? start.beta : 0) + flight.deceleration;
+    spinning_change_ =
+        flight.deceleration * flight.pressure->distance() * body.alpha * body.alpha * body.inverse_inertia;
     has_stopped_ = is_held(station_);
 }
 
@@ -43,14 +42,15 @@ bool DryCourse::is_held(const Station<double>& station) const {
     const double a = flight_.deceleration;
     // By what is left it moves by |U|²/2a and turns by at most S times the time that is left.
     const double sliding = std::min(time_left_at_stop * a, std::sqrt(2e-20 * a));
-    const double spinning = time_left_at_stop * (fastest_change_ - a - (flight_.is_dish ? flight_.start.beta : 0));
-    return (slip.sliding <= std::max(rounding, sliding) && slip.spinning <= std::max(rounding, spinning));
+    const double spinning = time_left_at_stop * spinning_change_;
+    return slip.sliding <= std::max(rounding, sliding) && slip.spinning <= std::max(rounding, spinning);
 }
 
 /// Near U = 0, S = 0 the direction of friction turns within the time in which the body comes there.
 double DryCourse::longest() const {
     const Slip slip = slip_of(flight_, station_);
-    return std::clamp(0.5 * (slip.sliding + slip.spinning) / fastest_change_, least_step, longest_step);
+    return std::clamp(0.5 * (slip.sliding + slip.spinning) / (sliding_change_ + spinning_change_), least_step,
+                      longest_step);
 }
 
 void DryCourse::advance() {

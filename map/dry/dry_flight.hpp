@@ -154,8 +154,9 @@ private:
     Station<double> station_, before_;
     double step_ = 0;
     double proposed_ = 0.125;
-    double speed_scale_ = 0;     ///< of which U and αS are differences
-    double fastest_change_ = 0;  ///< of |U| + α|S|
+    double speed_scale_ = 0;      ///< of which U and αS are differences
+    double sliding_change_ = 0;   ///< |U|′ at most
+    double spinning_change_ = 0;  ///< α|S|′ at most
     bool has_stopped_ = false;
 };
 

@@ -58,10 +58,12 @@ bool rides(const DryFlight<double>& flight, const DryMoment<double>& moment) {
 std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Flight<double>& start) {
     return with_dry_map(scene, [&](const auto& map) -> std::optional<Riding> {
         constexpr Shape shape = std::decay_t<decltype(map)>::shape;
-        if (map.advance(start).outcome != FirstContactOutcome::no_contact) return {};
         const DryFlight<double> flight = map.dry_flight(start);
         const DryContact end = first_contact<shape>(flight);
         const DryMoment<double>& moment = end.moment;
+        const FirstContactOutcome outcome =
+            end.has_stopped ? map.impacts().advance(resting(flight, moment)).outcome : end.found.outcome;
+        if (outcome != FirstContactOutcome::no_contact) return {};
         const Body<double>& body = map.body();
         if (!flight.is_dish) {
             const Vec2<double> place = moment.at.centre + moment.at.swirl;

@@ -1,20 +1,48 @@
 #include "map/orbit/dry_path.hpp"
 
+#include "map/dry/dry_map.hpp"
+
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace swirl {
 
-DryPath::DryPath(const Scene<double>& scene, const FlightBegin& begin, double lasts)
-    : body_(make_body(detail::over_smooth_floor(scene))),
-      pressure_(std::make_shared<const UniformPressure>(scene.sides)) {
+namespace {
+
+/// What the flights of a scene share.
+struct Surroundings {
+    Body<double> body;
+    UniformPressure pressure;
+    double deceleration;
+    bool is_dish;
+};
+
+/// A flight with the stations of its integration.
+class DryPath final : public BentFlight {
+public:
+    DryPath(std::shared_ptr<const Surroundings> around, const FlightBegin& begin, double lasts);
+    Place at(double later) const override;
+
+private:
+    std::shared_ptr<const Surroundings> around_;  ///< to which the flight refers
+    DryFlight<double> flight_;
+    std::vector<Station<double>> stations_;
+    bool has_stopped_ = false;
+};
+
+DryPath::DryPath(std::shared_ptr<const Surroundings> around, const FlightBegin& begin, double lasts)
+    : around_(std::move(around)) {
+    const Body<double>& body = around_->body;
     Flight<double> start;
     start.phase = cis(begin.time);
-    start.beta = body_.beta;
+    start.beta = body.beta;
     start.centre = begin.centre - start.beta * start.phase;
     start.velocity = begin.velocity;
-    start.arm = body_.alpha * cis(begin.angle);
+    start.arm = body.alpha * cis(begin.angle);
     start.spin = begin.spin;
-    flight_ = {start, &body_, pressure_.get(), scene.floor_deceleration(), scene.floor == Floor::dish};
+    flight_ = {start, &body, &around_->pressure, around_->deceleration, around_->is_dish};
     DryCourse course(flight_);
     stations_.push_back(course.station());
     while (!course.has_stopped() && course.station().time < lasts) {
@@ -24,7 +52,7 @@ DryPath::DryPath(const Scene<double>& scene, const FlightBegin& begin, double la
     has_stopped_ = course.has_stopped();
 }
 
-DryPath::Place DryPath::at(double later) const {
+BentFlight::Place DryPath::at(double later) const {
     const auto after = std::upper_bound(stations_.begin(), stations_.end(), later,
                                         [](double time, const Station<double>& at) { return time < at.time; });
     const Station<double>& before = after == stations_.begin() ? *after : *(after - 1);
@@ -39,10 +67,15 @@ DryPath::Place DryPath::at(double later) const {
     return {moment.at.centre + swirl, rests ? 0 : moment.spin, moment.turned};
 }
 
+}  // namespace
+
 BendFlight dry_paths(const Scene<double>& scene) {
     if (!scene.has_dry_floor()) return {};
-    return [scene](const FlightBegin& begin, double lasts) {
-        return std::make_shared<const DryPath>(scene, begin, lasts);
+    const auto around = std::make_shared<const Surroundings>(
+        Surroundings{make_body(detail::over_smooth_floor(scene)), UniformPressure(scene.sides),
+                     scene.floor_deceleration(), scene.floor == Floor::dish});
+    return [around](const FlightBegin& begin, double lasts) {
+        return std::make_shared<const DryPath>(around, begin, lasts);
     };
 }
 

@@ -250,10 +250,10 @@ TEST(Dry, TheFirstContactIsTheFirst) {
             const auto collision = map.advance(flight_from(body, start));
             if (collision.outcome != FirstContactOutcome::contact) return;
             const double lasts = collision.flight_time;
-            const DryPath path(scene, begin_of(start), lasts);
+            const auto path = dry_paths(scene)(begin_of(start), lasts);
             double last = 0;
             for (int k = 0; k <= 1000; ++k) {
-                const auto place = path.at(lasts * k / 1000);
+                const auto place = path->at(lasts * k / 1000);
                 const Vec2<double> centre = place.centre - scene.beta * cis(lasts * k / 1000);
                 last = shape == Shape::disk ? detail::magnitude(centre) + body.alpha : 0;
                 for (int vertex = 0; vertex < body.sides; ++vertex)
@@ -298,9 +298,9 @@ TEST(Dry, ABodyAtRestOnATableIsTornLoose) {
         const auto collision = map.advance(flight.start);
         ASSERT_EQ(collision.outcome, FirstContactOutcome::contact);
         EXPECT_GT(collision.flight_time, course.station().time);
-        const DryPath path(scene, begin_of(slow), collision.flight_time);
+        const auto path = dry_paths(scene)(begin_of(slow), collision.flight_time);
         LabStart<double> still{};
-        const auto rest = path.at(collision.flight_time);
+        const auto rest = path->at(collision.flight_time);
         still.x = rest.centre.x, still.y = rest.centre.y, still.angle = slow.angle + rest.turned;
         const auto known = map.impacts().advance(flight_from(map.body(), still));
         EXPECT_NEAR(collision.flight_time, known.flight_time, 1e-13);
@@ -324,8 +324,8 @@ TEST(Dry, ADishCarriesABodyAlong) {
             EXPECT_GT(riding->room, 0);
             EXPECT_NEAR(riding->radius, friction > 0.2 ? 0 : std::sqrt(0.04 - friction * friction), 1e-15);
             const double late = 60;
-            const DryPath path(scene, begin_of(start), late);
-            const auto at = path.at(late);
+            const auto path = dry_paths(scene)(begin_of(start), late);
+            const auto at = path->at(late);
             const Vec2<double> in_dish = at.centre - scene.beta * cis(late);
             // What was left when it was said to ride is at most 10⁻³ of a speed below 0.2.
             EXPECT_NEAR(detail::magnitude(Vec2<double>(in_dish - riding->place)), riding->radius, 2e-3);

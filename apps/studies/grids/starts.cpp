@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 
 namespace swirl::studies::grids {
@@ -29,12 +30,20 @@ Scene<double> cell_scene(const GridStudy& study, std::size_t cell) {
     Scene<double> scene = study.scene;
     for (std::size_t k = 0; k < study.grid.size(); ++k) {
         const std::string& name = study.grid[k].name;
-        if (name == "sides") scene.sides = static_cast<int>(point[k]);
-        if (name == "law") scene.law = static_cast<Law>(static_cast<int>(point[k]));
-        if (name == "spin-drag") scene.spin_drag = point[k];
-        if (name == "floor-friction") scene.floor_friction = point[k];
-        if (name == "gravity-ratio") scene.gravity_ratio = point[k];
-        if (const auto parameter = parameter_named(name)) number_of(scene, *parameter) = point[k];
+        if (name == "sides")
+            scene.sides = static_cast<int>(point[k]);
+        else if (name == "law")
+            scene.law = static_cast<Law>(static_cast<int>(point[k]));
+        else if (name == "spin-drag")
+            scene.spin_drag = point[k];
+        else if (name == "floor-friction")
+            scene.floor_friction = point[k];
+        else if (name == "gravity-ratio")
+            scene.gravity_ratio = point[k];
+        else if (const auto parameter = parameter_named(name))
+            number_of(scene, *parameter) = point[k];
+        else if (name != "speed" && !is_of_the_start(study.grid[k]))
+            throw std::logic_error("a grid over " + name + ", which no scene has");
     }
     if (study.uniform && !has_axis(study.grid, "inertia-factor"))
         scene.inertia_factor = uniform_inertia_factor<double>(scene.sides, scene.alpha, scene.corner);

@@ -13,13 +13,16 @@ constexpr double time_left_at_stop = 0x1p-36;
 
 struct Slip {
     double sliding, spinning;  ///< |U|, α|S|
+    Vec2<double> velocity;     ///< U
+    double spin;               ///< S
 };
 
 Slip slip_of(const DryFlight<double>& flight, const Station<double>& station) {
     const Flight<double>& start = flight.start;
     const Vec2<double> velocity{start.velocity.x + station.y[2], start.velocity.y + station.y[3]};
     const Vec2<double> slip = detail::against_floor(flight, velocity, turned(start.phase, cis_minus_one(station.time)));
-    return {std::hypot(slip.x, slip.y), flight.body->alpha * std::fabs(start.spin + station.y[5])};
+    const double spin = start.spin + station.y[5];
+    return {std::hypot(slip.x, slip.y), flight.body->alpha * std::fabs(spin), slip, spin};
 }
 
 }  // namespace
@@ -32,6 +35,7 @@ DryCourse::DryCourse(const DryFlight<double>& flight) : flight_(flight), station
     sliding_change_ = (flight.is_dish ? start.beta : 0) + flight.deceleration;
     spinning_change_ =
         flight.deceleration * flight.pressure->distance() * body.alpha * body.alpha * body.inverse_inertia;
+    border_turns_ = body.sides == disk_sides ? 0 : 1;
     has_stopped_ = is_held(station_);
 }
 
@@ -46,11 +50,19 @@ bool DryCourse::is_held(const Station<double>& station) const {
     return slip.sliding <= std::max(rounding, sliding) && slip.spinning <= std::max(rounding, spinning);
 }
 
-/// Near U = 0, S = 0 the direction of friction turns within the time in which the body comes there.
+/// Near U = 0, S = 0 the direction of friction turns within the time in which the body comes there; and the body's
+/// border turns with it.
 double DryCourse::longest() const {
     const Slip slip = slip_of(flight_, station_);
-    return std::clamp(0.5 * (slip.sliding + slip.spinning) / (sliding_change_ + spinning_change_), least_step,
-                      longest_step);
+    const double change = sliding_change_ + spinning_change_;
+    const double to_stop = std::max(least_step, 0.5 * (slip.sliding + slip.spinning) / change);
+    const Body<double>& body = *flight_.body;
+    Vec2<double> arm{body.alpha, 0};
+    if (body.sides != disk_sides)
+        arm = turned(flight_.start.arm, cis_minus_one(flight_.start.spin * station_.time + station_.y[4]));
+    const double to_border = flight_.pressure->step_to_border(
+        body, slip.velocity, slip.spin, arm, change + border_turns_ * std::fabs(slip.spin) * slip.sliding);
+    return std::min({to_stop, to_border, longest_step});
 }
 
 void DryCourse::advance() {

@@ -157,6 +157,7 @@ private:
     double speed_scale_ = 0;      ///< of which U and αS are differences
     double sliding_change_ = 0;   ///< |U|′ at most
     double spinning_change_ = 0;  ///< α|S|′ at most
+    double border_turns_ = 0;     ///< 1 of a polygon, whose border is no circle
     bool has_stopped_ = false;
 };
 

@@ -15,6 +15,9 @@ namespace swirl {
 
 namespace {
 
+/// Steps across a border are off by some a_f h³, and h² of a rod's.
+constexpr double shortest_across_border = 0x1p-16, shortest_across_rod = 0x1p-20;
+
 /// Over one of the N triangles between the centre and a side, in R_p; r is a part of the way from the centre to a point
 /// of the side: what is `of` such a point e goes as rⁿ.
 template <class Of>
@@ -68,6 +71,22 @@ std::vector<UniformPressure::Harmonic> UniformPressure::harmonics(int shift) con
         all.push_back(std::move(harmonic));
     }
     return all;
+}
+
+double UniformPressure::step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin,
+                                       const Vec2<double>& arm, double change) const {
+    const double speed = std::hypot(velocity.x, velocity.y), rim = body.alpha * std::fabs(spin);
+    if (sides_ == disk_sides) return std::max(shortest_across_border, std::fabs(speed - rim) / change);
+    // In the axes of the arm, and about the nearest side's normal.
+    const Vec2<double> pivot =
+        seen_from(arm, quarter_turned(Vec2<double>(std::copysign(1.0, spin) * velocity)));  // by α|S|
+    if (sides_ == rod_sides) {
+        const double past = std::max(0.0, std::fabs(pivot.x) / body.alpha - rim);
+        return std::max(shortest_across_rod, std::hypot(past, pivot.y / body.alpha) / change);
+    }
+    const double half = pi<double>() / sides_, angle = std::atan2(pivot.y, pivot.x) - half;
+    const double off = angle - 2 * half * std::round(angle / (2 * half));
+    return std::max(shortest_across_border, std::fabs(speed * std::cos(off) - rim * std::cos(half)) / change);
 }
 
 }  // namespace swirl

@@ -38,6 +38,13 @@ public:
     template <class T>
     MeanSlip<T> mean_slip(const Body<T>& body, const Vec2<T>& velocity, const T& spin, const Vec2<T>& arm) const;
 
+    /// A step of an integration that does not reach across the body's border with the point that does not slide, iU/S
+    /// from the centre: on the border the means have no third derivative (rod: on it no second), and an error estimate
+    /// is blind to a step across it. Shorter than what leaves ε on a border that is crossed it never is.
+    ///   change  bounds |U|′ + α|S|′
+    double step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin, const Vec2<double>& arm,
+                          double change) const;
+
     double distance() const { return distance_; }  ///< ⟨|ρ|⟩, in R_p
     double square() const { return square_; }      ///< ⟨|ρ|²⟩, in R_p²
 

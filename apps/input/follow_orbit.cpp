@@ -64,7 +64,7 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
     std::visit(
         [&](const auto& s) {
             TrajectorySegmenter cutter(scene, s);
-            if constexpr (std::is_same_v<T, double>) cutter.take_flights_from(dry_paths(scene));
+            if constexpr (std::is_same_v<T, double>) cutter.take_paths_from(dry_paths(scene));
             columns.contact_scene = cutter.scene();
             follow(orbit, range, output.quiet, cutter, columns);
         },

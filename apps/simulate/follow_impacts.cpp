@@ -24,7 +24,7 @@ public:
         : skip_(options.skip), until_(options.time.value_or(std::numeric_limits<double>::infinity())) {
         if (!options.sample) return;
         cutter_.emplace(scene, start);
-        if constexpr (std::is_same_v<T, double>) cutter_->take_flights_from(dry_paths(scene));
+        if constexpr (std::is_same_v<T, double>) cutter_->take_paths_from(dry_paths(scene));
         sampler_.emplace(*options.sample);
     }
 

@@ -19,6 +19,8 @@ using detail::NearestTwo;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_stations = 20'000;
 constexpr int most_looks = 100'000;
+/// A disk that leaves the wall from rest against the floor falls by rounding only within shorter times.
+constexpr double least_fall = 1e-6;
 
 /// Bounds from a moment on, for a time: |X′|, |X″|, |S|, |S′|, and with them g″ from above.
 struct Bounds {
@@ -84,6 +86,23 @@ public:
     DryContact find() {
         result_.moment = moment_at(course_.station(), 0);
         if (flight_.start.struck && !leaves()) return ended(FirstContactOutcome::sustained);
+        return find_from_here();
+    }
+
+    DryContact find_after_release() {
+        result_.moment = moment_at(course_.station(), 0);
+        if (course_.has_stopped()) return stopped();
+        do course_.advance();
+        while (course_.station().time < least_fall && !course_.has_stopped());
+        double clear = course_.step();
+        for (int halvings = 0; !falls_until(clear); clear *= 0.5)
+            if (++halvings > 60) return ended(FirstContactOutcome::unresolved);
+        result_.moment = moment_at(course_.before(), clear);
+        return meets_wall_on_step(clear) ? result_ : find_from_here();
+    }
+
+private:
+    DryContact find_from_here() {
         for (int stations = 0; stations < most_stations; ++stations) {
             if (course_.has_stopped()) return stopped();
             if (rides(flight_, result_.moment)) return ended(FirstContactOutcome::no_contact);
@@ -94,7 +113,6 @@ public:
         return ended(FirstContactOutcome::unresolved);
     }
 
-private:
     DryContact ended(FirstContactOutcome outcome) {
         result_.found.outcome = outcome;
         return result_;
@@ -117,11 +135,23 @@ private:
         return !detail::stays(body_, flight_.start, gap);
     }
 
-    /// Between the last two stations.
-    bool meets_wall_on_step() {
+    /// Does the gap of a disk fall on the last step until then?
+    bool falls_until(double later) const {
+        constexpr int moments = 10;
+        double before =
+            course_.before().time > 0 ? centre_value(body_, flight_.start, moment_at(course_.before(), 0).at) : 0;
+        for (int k = 1; k <= moments; ++k) {
+            const double gap = centre_value(body_, flight_.start, moment_at(course_.before(), later * k / moments).at);
+            if (!(gap < before)) return false;
+            before = gap;
+        }
+        return true;
+    }
+
+    /// Between the last two stations, from so long after the first.
+    bool meets_wall_on_step(double later = 0) {
         const Station<double>& from = course_.before();
         const double whole = course_.step();
-        double later = 0;
         while (true) {  // ends: contact, the next station, or too many looks
             if (++result_.found.steps > most_looks) return false;
             const double step = step_from_moment(whole - later);
@@ -216,6 +246,10 @@ Gap<double> struck_gap_at_start(const DryFlight<double>& flight) {
 template <Shape shape>
 DryContact first_contact(const DryFlight<double>& flight) {
     return Search<shape>(flight).find();
+}
+
+DryContact first_contact_after_release(const DryFlight<double>& flight) {
+    return Search<Shape::disk>(flight).find_after_release();
 }
 
 template DryContact first_contact<Shape::disk>(const DryFlight<double>&);

@@ -5,6 +5,8 @@
 #include "map/collision_map.hpp"
 #include "map/contact/chatter_completion.hpp"
 #include "map/dry/dry_contact.hpp"
+#include "map/dry/riding.hpp"
+#include "map/dry/rim_motion.hpp"
 #include "map/map_list.hpp"
 
 #include <memory>
@@ -39,9 +41,9 @@ Flight<T> resting(const DryFlight<T>& flight, const DryMoment<T>& moment) {
 }
 
 /// F over a floor whose friction is dry (Coulomb), with uniform pressure under the body; a_f = 0 gives CollisionMap's
-/// to rounding. Where the body comes to stay on the wall the orbit ends (`FirstContactOutcome::sustained`): contact is
-/// not followed. That is as of CornerMap: after an impact that leaves at v with the acceleration a > 0 back to the wall
-/// if 2v² ≤ 16 ε a (1 − e), or if v is rounding.
+/// to rounding. Where the body comes to stay on the wall F ends (`FirstContactOutcome::sustained`); of a disk contact
+/// is followed from there (rim_contact.hpp). That is as of CornerMap: after an impact that leaves at v with the
+/// acceleration a > 0 back to the wall if 2v² ≤ 16 ε a (1 − e), or if v is rounding.
 template <class T, Shape shape_, ImpactRule rule_>
 class DryMap {
 public:
@@ -93,15 +95,33 @@ public:
             collision.outcome = FirstContactOutcome::sustained;
             return;
         }
-        const DryContact contact = first_contact<shape>(flight);
-        if (contact.has_stopped) return advance_from_rest(flight, contact.moment, collision);
-        const FirstContact<T>& found = contact.found;
-        if (found.outcome == FirstContactOutcome::contact)
-            impacts_.strike(arriving(flight, contact.moment), contact.moment.at, found.arm, found.vertex, collision);
-        collision.outcome = found.outcome;
-        collision.steps = found.steps;
-        collision.vertex_step = found.vertex;
-        collision.simultaneous = found.simultaneous;
+        end(flight, first_contact<shape>(flight), collision);
+    }
+
+    /// The first impact of a disk that the wall has released.
+    Collision<T> advance_after_release(const Flight<T>& start) const requires(shape == Shape::disk) {
+        const DryFlight<T> flight = dry_flight(start);
+        Collision<T> collision;
+        end(flight, first_contact_after_release(flight), collision);
+        return collision;
+    }
+
+    /// What a disk's contact needs; refers to this map.
+    RimScene<T> rim() const requires(shape == Shape::disk) {
+        return {&body(), scene_.mu, pressure_.get(), scene_.floor_deceleration(), scene_.floor == Floor::dish};
+    }
+
+    /// It rests in the laboratory, on a table, until the wall comes. A body that the wall has pushed as far as it comes
+    /// is touched by it once a turn, along the wall and at rest against it: nothing moves it any more.
+    void advance_from_rest(const DryFlight<T>& flight, const DryMoment<T>& moment, Collision<T>& collision) const {
+        const double rounding = 64 * epsilon<double>();
+        const Vec2<double> place = moment.at.centre + moment.at.swirl;
+        if (body().beta + farthest_point(body(), place, moment.at.arm) <= 1 + rounding) {
+            collision.outcome = FirstContactOutcome::no_contact;
+            return;
+        }
+        impacts_.advance(resting(flight, moment), collision);
+        collision.flight_time = collision.flight_time + moment.at.time;
     }
 
     /// ∫ S dt of a flight until `time`.
@@ -117,10 +137,15 @@ public:
     }
 
 private:
-    /// It rests in the laboratory, on a table, until the wall comes.
-    void advance_from_rest(const DryFlight<T>& flight, const DryMoment<T>& moment, Collision<T>& collision) const {
-        impacts_.advance(resting(flight, moment), collision);
-        collision.flight_time = collision.flight_time + moment.at.time;
+    void end(const DryFlight<T>& flight, const DryContact& contact, Collision<T>& collision) const {
+        if (contact.has_stopped) return advance_from_rest(flight, contact.moment, collision);
+        const FirstContact<T>& found = contact.found;
+        if (found.outcome == FirstContactOutcome::contact)
+            impacts_.strike(arriving(flight, contact.moment), contact.moment.at, found.arm, found.vertex, collision);
+        collision.outcome = found.outcome;
+        collision.steps = found.steps;
+        collision.vertex_step = found.vertex;
+        collision.simultaneous = found.simultaneous;
     }
 
     bool stays_on_wall(const DryFlight<T>& flight) const {

@@ -25,15 +25,15 @@ Circle circle_of(const DryFlight<double>& flight, const DryMoment<double>& momen
     return {c, size * flight.start.beta, moment.at.centre + quarter_turned(times(c, moment.at.swirl))};
 }
 
-double farthest(const Body<double>& body, const Vec2<double>& place, const Vec2<double>& arm) {
+}  // namespace
+
+double farthest_point(const Body<double>& body, const Vec2<double>& place, const Vec2<double>& arm) {
     if (body.sides == disk_sides) return detail::magnitude(place) + body.alpha;
     double most = 0;
     for (int k = 0; k < body.sides; ++k)
         most = std::max(most, detail::magnitude(Vec2<double>(place + body.turned_to_vertex(arm, k))));
     return most;
 }
-
-}  // namespace
 
 bool rides(const DryFlight<double>& flight, const DryMoment<double>& moment) {
     const double beta = flight.start.beta, a = flight.deceleration;
@@ -55,19 +55,24 @@ bool rides(const DryFlight<double>& flight, const DryMoment<double>& moment) {
     return detail::magnitude(circle.middle) + speed + left < body.inner;
 }
 
-std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Flight<double>& start) {
+std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Flight<double>& start, bool released) {
     return with_dry_map(scene, [&](const auto& map) -> std::optional<Riding> {
         constexpr Shape shape = std::decay_t<decltype(map)>::shape;
         const DryFlight<double> flight = map.dry_flight(start);
-        const DryContact end = first_contact<shape>(flight);
+        const DryContact end =
+            shape == Shape::disk && released ? first_contact_after_release(flight) : first_contact<shape>(flight);
         const DryMoment<double>& moment = end.moment;
-        const FirstContactOutcome outcome =
-            end.has_stopped ? map.impacts().advance(resting(flight, moment)).outcome : end.found.outcome;
+        FirstContactOutcome outcome = end.found.outcome;
+        if (end.has_stopped) {
+            Collision<double> collision;
+            map.advance_from_rest(flight, moment, collision);
+            outcome = collision.outcome;
+        }
         if (outcome != FirstContactOutcome::no_contact) return {};
         const Body<double>& body = map.body();
         if (!flight.is_dish) {
             const Vec2<double> place = moment.at.centre + moment.at.swirl;
-            return Riding{place, body.beta, 1 - body.beta - farthest(body, place, moment.at.arm), 0};
+            return Riding{place, body.beta, 1 - body.beta - farthest_point(body, place, moment.at.arm), 0};
         }
         if (body.beta > flight.deceleration) {
             const Circle circle = circle_of(flight, moment);
@@ -75,7 +80,7 @@ std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Fl
                           0};
         }
         const Vec2<double>& place = moment.at.centre;
-        return Riding{place, 0, 1 - farthest(body, place, moment.at.arm), 0};
+        return Riding{place, 0, 1 - farthest_point(body, place, moment.at.arm), 0};
     });
 }
 

@@ -1,6 +1,8 @@
-// A flight that is neither straight nor in closed form, for who asks where the body is on it.
+// A flight that is neither straight nor in closed form, and a contact without a power series, for who asks where the
+// body is on it.
 #pragma once
 
+#include "map/contact/contact_state.hpp"
 #include "map/numbers/vec2.hpp"
 
 #include <functional>
@@ -32,5 +34,21 @@ struct FlightBegin {
 
 /// The flight from there, which lasts so long.
 using BendFlight = std::function<std::shared_ptr<const BentFlight>(const FlightBegin& begin, double lasts)>;
+
+/// What a contact has come to a time after a state on its way.
+struct ContactPlace {
+    ContactState<double> state;
+    double turned = 0;                ///< ∫ S dt
+    double normal = 0, friction = 0;  ///< the wall's force, −λ n + f t, in m R_c ω_s²
+};
+
+/// `later`: so short a time, in 1/ω_s, that one step of the integration gives it to rounding.
+using BendContact = std::function<ContactPlace(ContactMotion motion, const ContactState<double>& from, double later)>;
+
+/// What moves the bodies of a scene; both empty where flights are straight or in closed form.
+struct BentPaths {
+    BendFlight flight;
+    BendContact contact;  ///< empty where contact is not followed either
+};
 
 }  // namespace swirl

@@ -1,6 +1,7 @@
 #include "map/orbit/dry_path.hpp"
 
 #include "map/dry/dry_map.hpp"
+#include "map/dry/rim_course.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -67,16 +68,38 @@ BentFlight::Place DryPath::at(double later) const {
     return {moment.at.centre + swirl, rests ? 0 : moment.spin, moment.turned};
 }
 
+ContactPlace contact_after(const Surroundings& around, double mu, ContactMotion kind, const ContactState<double>& from,
+                           double later) {
+    const RimScene<double> scene{&around.body, mu, &around.pressure, around.deceleration, around.is_dish};
+    const RimMotion motion = rim_motion_at(scene, kind, from);
+    RimCourse course(scene, motion, from);
+    while (course.station().time < later) course.advance(later - course.station().time);
+    const RimPlace<double>& y = course.station().y;
+    const ContactState<double> state = contact_of(y);
+    if (motion.rests) {
+        const RimRest rest = rest_on_rim(scene, state.psi);
+        return {state, 0, rest.normal, rest.friction};
+    }
+    const RimForces<double> forces = rim_forces(scene, motion, state);
+    return {state, y[3], forces.normal, forces.friction};
+}
+
 }  // namespace
 
-BendFlight dry_paths(const Scene<double>& scene) {
+BentPaths dry_paths(const Scene<double>& scene) {
     if (!scene.has_dry_floor()) return {};
     const auto around = std::make_shared<const Surroundings>(
         Surroundings{make_body(detail::over_smooth_floor(scene)), UniformPressure(scene.sides),
                      scene.floor_deceleration(), scene.floor == Floor::dish});
-    return [around](const FlightBegin& begin, double lasts) {
+    BentPaths paths;
+    paths.flight = [around](const FlightBegin& begin, double lasts) {
         return std::make_shared<const DryPath>(around, begin, lasts);
     };
+    if (scene.is_disk())
+        paths.contact = [around, mu = scene.mu](ContactMotion motion, const ContactState<double>& from, double later) {
+            return contact_after(*around, mu, motion, from, later);
+        };
+    return paths;
 }
 
 }  // namespace swirl

@@ -1,4 +1,4 @@
-// Where a body is at any moment of a flight over a floor with dry friction.
+// Where a body is at any moment over a floor with dry friction.
 #pragma once
 
 #include "map/model/scene.hpp"
@@ -6,8 +6,8 @@
 
 namespace swirl {
 
-/// The flights of a scene; nothing without dry friction, where they are straight or in closed form. Places later than a
-/// flight lasts are not asked for; each costs a step of the integration.
-BendFlight dry_paths(const Scene<double>& scene);
+/// The flights of a scene, and a disk's contacts; nothing without dry friction. Places later than a flight lasts are
+/// not asked for; each costs a step of the integration.
+BentPaths dry_paths(const Scene<double>& scene);
 
 }  // namespace swirl

@@ -48,15 +48,19 @@ template <class Map, class T>
         return flight_from(map.body(), post_impact);
 }
 
-/// Does the map have a floor with dry friction (map/dry)? Contact over it is not followed.
+/// Does the map have a floor with dry friction (map/dry)?
 template <class Map>
 inline constexpr bool has_dry_floor = requires {
     Map::has_dry_floor;
 };
 
+/// Over a floor with dry friction contact is a disk's alone, and one of its own (dry_return.hpp).
+template <class Map>
+inline constexpr bool has_dry_contact = has_dry_floor<Map>&& Map::shape == Shape::disk;
+
 /// Does an orbit end where the body comes to stay on the wall?
 template <class Map>
-inline constexpr bool ends_on_wall = has_round_corners<Map> || has_dry_floor<Map>;
+inline constexpr bool ends_on_wall = has_round_corners<Map> || (has_dry_floor<Map> && !has_dry_contact<Map>);
 
 /// How an orbit ends that meets the wall no more.
 template <class Map>
@@ -115,13 +119,17 @@ public:
     explicit ReturnMap(const Map& map) : map_(map) {
         const auto& s = map.scene();
         if constexpr (ends_on_wall<Map>) return;
+        if constexpr (has_dry_contact<Map>) {
+            contact_ = contact_scene(map.body(), s, Map::rule);
+            return;
+        }
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
         contact_ = contact_scene(map.body(), s, Map::rule);
     }
 
     const Map& map() const { return map_; }
-    /// What contact needs of the scene; only for e < 1, or a polygon with friction.
+    /// What contact needs of the scene, but for a floor with dry friction; only for e < 1, or a polygon with friction.
     const ContactScene<T>& contact() const { return *contact_; }
 
     /// The first impact of a flight in the laboratory.
@@ -196,7 +204,7 @@ private:
                 return ending_without_contact(map_);
             case FirstContactOutcome::sustained:
                 if constexpr (has_round_corners<Map>) return Outcome::contact_of_corner;
-                if constexpr (has_dry_floor<Map>) return Outcome::contact_over_dry_floor;
+                if constexpr (has_dry_floor<Map> && ends_on_wall<Map>) return Outcome::contact_over_dry_floor;
                 return contact_ ? Outcome::unresolved : Outcome::resting;
             case FirstContactOutcome::unresolved:
                 return Outcome::unresolved;
@@ -208,6 +216,16 @@ private:
     Collision<T> fly_off(const Flight<T>& flight) const;
 
     ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase<T>& phase) const;
+
+    /// As `after_contact`, with the work, and the names of what is no step.
+    ReturnStep<T> ended_contact(const PostImpactState<T>& post_impact, const ContactPhase<T>& phase,
+                                const T& work) const {
+        ReturnStep<T> return_step = after_contact(post_impact, phase);
+        return_step.contact_work = work;
+        end_if_nothing_changes(return_step);
+        end_before_no_number(return_step);
+        return return_step;
+    }
 
     const Map& map_;
     std::optional<ContactScene<T>> contact_;
@@ -232,7 +250,12 @@ auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horiz
             completion.in_contact || completion.struck)
             return advance_in_contact(post_impact, completion, horizon, sink);
     ReturnStep<T> return_step = advance(flight_after(map_, post_impact));
-    if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
+    if constexpr (has_dry_contact<Map>) {
+        if (return_step.collision.outcome == FirstContactOutcome::sustained) {
+            const ContactPhase<T> phase = follow_dry_contact(map_, post_impact, horizon, sink);
+            return ended_contact(post_impact, phase, phase.sums.work);
+        }
+    } else if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
         return advance_in_contact(post_impact, held(post_impact), horizon, sink);
     end_if_nothing_changes(return_step);
     return return_step;
@@ -277,11 +300,7 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
     -> ReturnStep<T> {
     const ContactPhase<T> phase = completion.struck ? struck_at_once(*contact_, post_impact)
                                                     : follow_contact(*contact_, completion, horizon, sink, most_steps);
-    ReturnStep<T> return_step = after_contact(post_impact, phase);
-    return_step.contact_work = phase.sums.work + completion.jacobi;
-    end_if_nothing_changes(return_step);
-    end_before_no_number(return_step);
-    return return_step;
+    return ended_contact(post_impact, phase, T(phase.sums.work + completion.jacobi));
 }
 
 template <class Map>

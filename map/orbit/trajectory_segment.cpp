@@ -49,6 +49,16 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
         const double turned = segment.spin * later;
         return {segment.from + share * (segment.to - segment.from), segment.angle + turned, segment.spin, turned};
     }
+    if (segment.bent) {
+        const ContactPlace place = segment.bent(segment.motion, segment.state, later);
+        return {centre_on_wall(scene, place.state, t),
+                segment.angle + place.turned,
+                place.state.spin,
+                place.turned,
+                place.normal,
+                place.friction,
+                place.state.ut};
+    }
     const ContactSeries<double> series = contact_series(scene, segment.support, segment.motion, segment.state);
     ContactState<double> state = segment.state;
     state.psi += change_at(series.psi, later);
@@ -91,6 +101,7 @@ void TrajectorySegmenter::add_contacts(const std::vector<ContactSegment>& segmen
         piece.support = segment.support;
         piece.motion = segment.motion;
         piece.state = segment.from;
+        piece.bent = bent_.contact;
         piece.start = began + segment.start;
         piece.angle = angle + turned;
         for (; look != looks_.end() && look->sums.time < segment.end; ++look) {
@@ -121,8 +132,8 @@ void TrajectorySegmenter::add_flight(double until, const Vec2<double>& position)
         flight.from = position_;
         flight.to = position;
         flight.floor = floor_;
-        if (bend_)
-            flight.path = bend_({time_, position_, velocity_, angle_, spin_}, until - time_);
+        if (bent_.flight)
+            flight.path = bent_.flight({time_, position_, velocity_, angle_, spin_}, until - time_);
         else if (has_dry_floor_)
             throw std::logic_error("flights over a floor with dry friction are asked for as straight ones");
         trajectory_.push_back(flight);

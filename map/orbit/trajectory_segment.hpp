@@ -31,6 +31,7 @@ struct TrajectorySegment {
     Support support = Support::vertex;  ///< in contact, and so are the next two
     ContactMotion motion = ContactMotion::sticking;
     ContactState<double> state;  ///< at the start
+    BendContact bent;            ///< in contact over a floor with dry friction
 };
 
 /// Position and orientation of the body at a time, and in contact the wall's force on it, −λ n + f t (of an edge the
@@ -69,10 +70,10 @@ public:
     }
 
     const ContactScene<double>& scene() const { return scene_; }
-    /// From now on flights are these: of a scene with dry friction (map/orbit/dry_path.hpp).
-    void take_flights_from(BendFlight bend) { bend_ = std::move(bend); }
+    /// From now on the body moves so: in a scene with dry friction (map/orbit/dry_path.hpp).
+    void take_paths_from(BentPaths paths) { bent_ = std::move(paths); }
     /// Are flights no straight lines with constant S?
-    bool bends_flights() const { return floor_.drags() || bend_; }
+    bool bends_flights() const { return floor_.drags() || bent_.flight; }
     /// Refers to this object.
     ContactSink sink();
 
@@ -131,7 +132,7 @@ private:
     ContactScene<double> scene_;
     FloorDrag<double> floor_;
     bool has_dry_floor_ = false;
-    BendFlight bend_;
+    BentPaths bent_;
     std::vector<Look> looks_;
     std::vector<TrajectorySegment> trajectory_;
     double time_ = 0;  ///< where the next segment begins: t, centre, angle, S

@@ -149,19 +149,44 @@ def rates(scene, floor, t, y):
     return numpy.array([v, -floor.a * direction, spin, -floor.a * moment / scene.inertia])
 
 
-def extrapolated(scene, floor, t, y, h):
+def extrapolated_with_error(rates, t, y, h):
+    """And how far the last two columns are apart."""
     rows = []
     for k in range(1, ORDER + 1):
         n = 2 * k
         step = h / n
-        before, here = y, y + step * rates(scene, floor, t, y)
+        before, here = y, y + step * rates(t, y)
         for i in range(1, n):
-            before, here = here, before + 2 * step * rates(scene, floor, t + i * step, here)
-        row = [(here + before + step * rates(scene, floor, t + h, here)) / 2]
+            before, here = here, before + 2 * step * rates(t + i * step, here)
+        row = [(here + before + step * rates(t + h, here)) / 2]
         for m in range(1, k):
             row.append(row[m - 1] + (row[m - 1] - rows[-1][m - 1]) / ((number(k) / (k - m)) ** 2 - 1))
         rows.append(row)
-    return rows[-1][-1]
+    return rows[-1][-1], max(abs(rows[-1][-1] - rows[-1][-2]))
+
+
+def extrapolated(rates, t, y, h):
+    return extrapolated_with_error(rates, t, y, h)[0]
+
+
+def zero_between(value, low, high):
+    """Of a function of other signs at both ends, or zero at the first: the regula falsi of Illinois."""
+    left, right = value(low), value(high)
+    for halvings in range(1, 12):
+        if left * right < 0:
+            break
+        low = high / 2 ** (12 - halvings)  # it begins at zero
+        left = value(low)
+    for _ in range(60):
+        middle = (low * right - high * left) / (right - left)
+        here = value(middle)
+        if abs(here) < 1e-18:
+            break
+        if (here > 0) == (right > 0):
+            high, right, left = middle, here, left / 2
+        else:
+            low, left, right = middle, here, right / 2
+    return middle
 
 
 def gaps(scene, t, y):
@@ -177,25 +202,15 @@ def impact_after(scene, floor, state, struck):
     t = begin = number(state.t)
     y = numpy.array([number(state.x.real) + 1j * number(state.x.imag), number(state.v.real) + 1j * number(state.v.imag),
                      number(state.angle), number(state.spin)], dtype=numpy.clongdouble)
-    while max(gaps(scene, t + MACRO, after := extrapolated(scene, floor, t, y, number(MACRO)))) <= 0:
+    at = lambda h: extrapolated(lambda when, place: rates(scene, floor, when, place), t, y, number(h)) if h else y
+    while max(gaps(scene, t + MACRO, after := at(MACRO))) <= 0:
         t, y = t + MACRO, after
         if t - begin > 12:
             raise ValueError("no impact")
-    high = number(MACRO)
-    vertex = int(numpy.argmax(gaps(scene, t + high, after)))
+    vertex = int(numpy.argmax(gaps(scene, t + MACRO, after)))
     low = number(MACRO) / 4 if t == begin and vertex == struck else number(0)  # it leaves the wall first
-    left = gaps(scene, t + low, extrapolated(scene, floor, t, y, low) if low else y)[vertex]
-    right = gaps(scene, t + high, after)[vertex]
-    for _ in range(60):  # the regula falsi of Illinois
-        h = (low * right - high * left) / (right - left)
-        value = gaps(scene, t + h, extrapolated(scene, floor, t, y, h))[vertex]
-        if abs(value) < 1e-18:
-            break
-        if value > 0:
-            high, right, left = h, value, left / 2
-        else:
-            low, left, right = h, value, right / 2
-    x, v, angle, spin = extrapolated(scene, floor, t, y, h)
+    h = zero_between(lambda h: gaps(scene, t + h, at(h))[vertex], low, number(MACRO))
+    x, v, angle, spin = at(h)
     in_digits = lambda z: mpc(*(mpf(numpy.format_float_scientific(part, 25)) for part in (z.real, z.imag)))
     moved = State(in_digits(t + h).real, in_digits(x), in_digits(v), in_digits(angle).real, in_digits(spin).real)
     return Impact(moved.t - state.t, *impact_at(exact, moved, mpf(0), vertex)[1:])
@@ -218,4 +233,4 @@ def orbit(entry, text, wrapped):
     return {**entry, "collisions": rows}
 
 
-__all__ = ["DIGITS", "means", "orbit"]
+__all__ = ["DIGITS", "Floor", "MACRO", "extrapolated", "extrapolated_with_error", "in_numbers", "means", "number", "orbit", "swirl", "zero_between"]

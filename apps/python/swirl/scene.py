@@ -190,7 +190,7 @@ class Scene:
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
             "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
             impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner", of
-            a floor with dry friction "contact-over-dry-floor".
+            a polygon over a floor with dry friction "contact-over-dry-floor".
 
         Notes
         -----

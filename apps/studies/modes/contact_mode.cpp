@@ -51,12 +51,30 @@ void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::
 
 }  // namespace
 
+DryFloorUnderRim::DryFloorUnderRim(const Scene<double>& scene)
+    : body_(make_body(scene)),
+      pressure_(scene.sides),
+      rim_{&body_, scene.mu, &pressure_, scene.floor_deceleration(), scene.floor == Floor::dish} {}
+
+double DryFloorUnderRim::friction(ContactMotion motion, const ContactState<double>& state) const {
+    return rim_forces(rim_, rim_motion_at(rim_, motion, state), state).friction;
+}
+
+ContactTail::ContactTail(const Scene<double>& scene, const ContactScene<double>& contact, double followed)
+    : scene_(contact),
+      dry_floor_(scene.has_dry_floor() ? std::make_shared<const DryFloorUnderRim>(scene) : nullptr),
+      followed_(followed) {}
+
+double ContactTail::friction(Support support, ContactMotion motion, const ContactState<double>& state) const {
+    return dry_floor_ ? dry_floor_->friction(motion, state) : reaction_of(scene_, support, motion, state).friction;
+}
+
 void ContactTail::add(const ContactSums<double>& sums, Support support, ContactMotion motion,
                       const ContactState<double>& state) {
     const double from = std::max(last_time_, 0.5 * followed_);
     const double share = 2 * (sums.time / followed_) - 1;  // of the tail, 0 to 1
     const bool slips = motion != ContactMotion::sticking;
-    const double loss = slips ? std::abs(reaction_of(scene_, support, motion, state).friction * state.ut) : 0;
+    const double loss = slips ? std::abs(friction(support, motion, state) * state.ut) : 0;
     if (slips && sums.time > from) {
         const double lost = 0.5 * (last_loss_ + loss) * (sums.time - from);
         if (share <= 0.25) slip_early_ += lost;
@@ -65,7 +83,7 @@ void ContactTail::add(const ContactSums<double>& sums, Support support, ContactM
     }
     last_time_ = sums.time;
     last_loss_ = loss;
-    if (!slips && support == Support::rim && !scene_.floor.drags) note_rolling(share, state);
+    if (!slips && support == Support::rim && !scene_.floor.drags && !dry_floor_) note_rolling(share, state);
     if (sums.time < 0.5 * followed_) return;
     samples_.push_back({sums.time, state.psi, normal_rate(scene_, support, state) - 1, state.spin, sums.turned});
     on_edge_ = on_edge_ && support == Support::edge;

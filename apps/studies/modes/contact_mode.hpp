@@ -4,9 +4,11 @@
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/swing.hpp"
 #include "map/contact/rim_pendulum.hpp"
+#include "map/dry/rim_motion.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,10 +17,27 @@ namespace swirl::studies {
 /// S that stays within this is constant: a body at rest in the co-rotating frame, or one that nothing turns.
 constexpr double rest_of_spin = 1e-7;
 
+/// A floor with dry friction under a disk on the wall.
+class DryFloorUnderRim {
+public:
+    explicit DryFloorUnderRim(const Scene<double>& scene);
+    DryFloorUnderRim(const DryFloorUnderRim&) = delete;
+    DryFloorUnderRim& operator=(const DryFloorUnderRim&) = delete;
+
+    /// f, along t.
+    double friction(ContactMotion motion, const ContactState<double>& state) const;
+
+private:
+    Body<double> body_;
+    UniformPressure pressure_;
+    RimScene<double> rim_;  ///< refers to both
+};
+
 /// What was seen of a contact that lasts: the second half of the time that it was followed.
 class ContactTail {
 public:
-    ContactTail(const ContactScene<double>& scene, double followed) : scene_(scene), followed_(followed) {}
+    ///   scene  of which `contact` is what contact needs
+    ContactTail(const Scene<double>& scene, const ContactScene<double>& contact, double followed);
 
     /// A ContactSink.
     void add(const ContactSums<double>& sums, Support support, ContactMotion motion, const ContactState<double>& state);
@@ -34,6 +53,7 @@ public:
     double followed() const { return followed_; }
 
 private:
+    double friction(Support support, ContactMotion motion, const ContactState<double>& state) const;
     void note_rolling(double share, const ContactState<double>& state);
     std::optional<double> spin_over_floor() const;
     bool judge_over_floor(const analysis::Swing& swing, analysis::Classification& verdict) const;
@@ -44,6 +64,7 @@ private:
                   analysis::Classification& verdict) const;
 
     ContactScene<double> scene_;
+    std::shared_ptr<const DryFloorUnderRim> dry_floor_;  ///< if it has one
     double followed_;
     std::vector<analysis::SwingSample> samples_;
     double last_time_ = 0;

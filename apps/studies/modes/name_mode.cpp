@@ -24,14 +24,15 @@ namespace {
 
 /// What follows the last impact, followed on and judged.
 template <int D>
-void judge_contact(const SceneMap<D>& map, const PostImpactState<double>& last, analysis::Classification& verdict) {
+void judge_contact(const SceneMap<D>& map, const Scene<double>& scene, const PostImpactState<double>& last,
+                   analysis::Classification& verdict) {
     // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
     for (const double time : {contact_horizon, 10 * contact_horizon}) {
         double reached = time;
         for (bool cut = true;
              cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
             const double followed = reached;
-            ContactTail tail(map.contact(), followed);
+            ContactTail tail(scene, map.contact(), followed);
             const auto return_step = map.return_step(last, followed, [&](const auto&... seen) { tail.add(seen...); });
             if (!ends_in_contact(return_step.outcome)) return;
             reached = return_step.contacts.back().end;
@@ -159,11 +160,12 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
 
 /// A flight without contact over a floor that drags or has dry friction. False where nothing brings it to the floor's
 /// velocity.
+///   released  the wall has released the body there
 bool name_riding(const Scene<double>& scene, const Flight<double>& flight, Outcome outcome,
-                 analysis::Classification& verdict) {
+                 analysis::Classification& verdict, bool released = false) {
     if (outcome != Outcome::riding && outcome != Outcome::no_contact) return false;
     const std::optional<Riding> riding =
-        scene.has_dry_floor() ? riding_over_dry_floor(scene, flight) : riding_of(scene, flight);
+        scene.has_dry_floor() ? riding_over_dry_floor(scene, flight, released) : riding_of(scene, flight);
     if (!riding) return false;
     verdict.mode = analysis::Mode::steady;
     verdict.kind = analysis::Kind::riding;
@@ -177,12 +179,29 @@ bool name_riding(const Scene<double>& scene, const Flight<double>& flight, Outco
     return true;
 }
 
+/// The last flight of an orbit that has no next impact from `last` on.
+struct Release {
+    Flight<double> flight;
+    bool is_from_contact = false;
+};
+
+template <int D>
+Release last_release(const SceneMap<D>& map, const Scene<double>& scene, const PostImpactState<double>& last) {
+    if (scene.has_dry_floor() && scene.is_disk())
+        if (const auto step = map.return_step(last); !step.contacts.empty()) {
+            const PostImpactState<double> leaving = post_impact_state(map.contact(), step.contacts.back().to);
+            return {flight_from(map.body(), leaving), true};
+        }
+    return {flight_from(map.body(), last), false};
+}
+
 /// An orbit that has no next impact from `last` on.
 template <int D>
 void name_end(const SceneMap<D>& map, const Scene<double>& scene, const PostImpactState<double>& last,
               NamedMode& named) {
-    if (ends_in_contact(named.outcome)) return judge_contact(map, last, named.verdict);
-    if (!name_riding(scene, flight_from(map.body(), last), named.outcome, named.verdict))
+    if (ends_in_contact(named.outcome)) return judge_contact(map, scene, last, named.verdict);
+    const Release release = last_release(map, scene, last);
+    if (!name_riding(scene, release.flight, named.outcome, named.verdict, release.is_from_contact))
         name_ending(named.outcome, named.impacts, named.verdict);
 }
 

@@ -7,9 +7,8 @@
 #include "apps/studies/scene_map/step_cost.hpp"
 #include "map/corners/corner_derivative.hpp"
 #include "map/derivative/parameter.hpp"
-#include "map/dry/dry_derivative.hpp"
 #include "map/orbit/dragged_return_derivative.hpp"
-#include "map/orbit/dry_return.hpp"
+#include "map/orbit/dry_return_derivative.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -116,13 +115,13 @@ public:
         if (!is_rounded && parameter == Parameter::corner)
             throw std::logic_error("along the radius of corners the map is that of rounded corners");
         if (known.contacts.empty()) return derivative_along(map_, parameter, z, known.collision);
-        if constexpr (is_rounded || is_dry)
+        if constexpr (ends_on_wall<Map>)
             throw std::logic_error(not_in_contact);
         else
             return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        if constexpr (is_rounded || is_dry)
+        if constexpr (ends_on_wall<Map>)
             throw std::logic_error(not_in_contact);
         else
             return derivative_through_contact(return_map_, z, known, &series);
@@ -130,7 +129,7 @@ public:
 
 private:
     static constexpr const char* not_in_contact =
-        "rounded corners, and bodies over a floor with dry friction, are not followed in contact";
+        "rounded corners, and polygons over a floor with dry friction, are not followed in contact";
 
     Map map_;
     ReturnMap<Map> return_map_;  ///< refers to it

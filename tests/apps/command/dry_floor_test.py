@@ -11,6 +11,7 @@ from every_command import ASKED, FollowedOrRefused
 
 PLAIN = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 DRY = f"{PLAIN} --floor-friction 0.05 --gravity-ratio 1"
+DISK = DRY.replace("--sides 6", "--sides disk")
 REFUSED = {"tradeoff", "certify", "boundaries", "describe"}
 
 
@@ -31,13 +32,45 @@ class DryFloor(InFolder, FollowedOrRefused):
         self.assertLess(min(abs(orbit["mean_S"] - mode["mean_S"]) for orbit in found if orbit["stability"] == "stable"), 1e-9)
 
     def test_endings_have_names(self):
-        disk = DRY.replace("--sides 6", "--sides disk")
-        self.assertEqual(document(f"simulate {disk} --collisions 1000", 3)["outcome"], "contact-over-dry-floor")
+        lands = DRY.replace("--mu 0.5 --restitution 0.9", "--mu 0 --restitution 0.2")
+        self.assertEqual(document(f"simulate {lands} --collisions 1000", 3)["outcome"], "contact-over-dry-floor")
         slow = "--x 0.5 --y 0 --vx 0.02 --vy 0.3 --angle 0.1 --spin 0.2"
         stops = f"{PLAIN} --floor-friction 0.3 --gravity-ratio 2"  # a_f = 0.6 > beta: it stops, and the dish carries it
         self.assertEqual(document(f"simulate {stops} {slow} --collisions 10", 3)["outcome"], "riding")
         mode = document(f"classify {stops} {slow}")
         self.assertEqual((mode["mode"], mode["kind"], mode["mean_S"]), ("steady", "riding", 0))
+
+    def test_a_disk_rolls_on_the_wall(self):
+        found = document(f"simulate {DISK} --collisions 1000", 3)
+        self.assertEqual((found["outcome"], found["contacts"][-1]["motion"]), ("in-contact", "rolling"))
+        mode = document(f"classify {DISK}")
+        self.assertEqual((mode["mode"], mode["kind"]), ("quasi-steady", "rolling-librating"))
+        self.assertAlmostEqual(mode["mean_S"], -1.5, delta=1e-9)  # locked to the swirl: -(1 - alpha)/alpha
+
+    def test_a_disk_rests_on_the_wall_and_is_torn_loose(self):
+        disk = "--sides disk --alpha 0.216 --beta 0.951 --mu 0.565 --restitution 0.047 --floor-friction 0.8521 --gravity-ratio 1"
+        found = document(f"orbits {disk} --period 1 --starts 20 --trajectories 2 -o cycles.h5")["orbits"]
+        stable = [orbit for orbit in found if orbit["stability"] == "stable"]
+        self.assertEqual([abs(complex(*m)) for m in stable[0]["multipliers"]], [0] * 4)  # it forgets all while it rests
+        point = ",".join(f"{stable[0]['points'][0][name]!r}" for name in ("psi", "vn", "vt", "S"))
+        orbit = document(f"simulate {disk} --point={point} --collisions 12")
+        returns = [impact["t"] for impact in orbit["collisions"] if abs(impact["spin"] - stable[0]["points"][0]["S"]) < 1e-9]
+        self.assertEqual(len(returns), 2)  # the rebounds that end in contact count as one impact of a cycle
+        self.assertAlmostEqual(returns[0], stable[0]["return_time"], delta=1e-9)
+        rests = [piece for piece in orbit["contacts"] if piece["motion"] == "rolling" and piece["mean_S"] == 0]
+        self.assertEqual([piece["end"] for piece in rests], ["slip"] * len(rests))
+        self.assertGreater(len(rests), 0)
+
+    def test_samples_in_contact_are_on_the_wall(self):
+        disk = DISK.replace("--mu 0.5 --restitution 0.9", "--mu 0.1 --restitution 0.5").replace("0.05", "0.2")
+        found = document(f"simulate {disk} --time 40 --sample 0.05")
+        on_wall = [sample for sample in found["samples"] if sample["in_contact"]]
+        self.assertGreater(len(on_wall), 100)
+        for sample in on_wall:
+            place = complex(sample["x"], sample["y"]) - 0.5 * complex(math.cos(sample["t"]), math.sin(sample["t"]))
+            self.assertLess(abs(abs(place) - 0.6), 1e-12)
+            self.assertLess(abs(sample["friction"]), 0.1 * sample["normal_force"] + 1e-9)
+        self.assertGreater(sum(abs(sample["slip"]) > 1e-3 for sample in on_wall), 5)
 
     def test_samples_are_inside_and_join_the_impacts(self):
         found = document(f"simulate {DRY} --floor table --collisions 30 --sample 0.01")

@@ -1,0 +1,418 @@
+// A disk's contact over a floor with dry friction: its motions against Newton's equations in 18 digits, what is known
+// in closed form, rest and how it ends, chatter that ends in contact, and the derivative through it.
+#include "map/contact/contact_run.hpp"
+#include "map/dry/rim_contact.hpp"
+#include "map/orbit/dry_path.hpp"
+#include "map/orbit/dry_return_derivative.hpp"
+#include "map/orbit/orbit.hpp"
+#include "map/orbit/trajectory_segment.hpp"
+#include "tests/references/references.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <type_traits>
+
+namespace swirl {
+namespace {
+
+using tests::number;
+
+/// A scene with a disk, and what refers to it.
+struct Disk {
+    Scene<double> scene;
+    Body<double> body;
+    UniformPressure pressure{disk_sides};
+
+    explicit Disk(const Scene<double>& s) : scene(s), body(make_body(s)) {}
+    RimScene<double> rim() const {
+        return {&body, scene.mu, &pressure, scene.floor_deceleration(), scene.floor == Floor::dish};
+    }
+};
+
+Scene<double> disk_over(double deceleration, Floor floor = Floor::dish) {
+    Scene<double> scene;
+    scene.sides = disk_sides;
+    scene.alpha = 0.4;
+    scene.beta = 0.5;
+    scene.mu = 0.5;
+    scene.restitution = 0.5;
+    scene.inertia_factor = 0.5;
+    scene.floor_friction = deceleration;
+    scene.gravity_ratio = 1;
+    scene.floor = floor;
+    return scene;
+}
+
+/// Contact from a state in it.
+ContactPhase<double> followed(const RimScene<double>& rim, const ContactState<double>& z, double horizon,
+                              const ContactSink& sink = {}) {
+    return follow_rim(rim, leaving_rim(rim, z), horizon, sink);
+}
+
+struct Draw {
+    std::mt19937_64 generator;
+    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+};
+
+Scene<double> drawn_scene(Draw& draw) {
+    Scene<double> scene = disk_over(0);
+    scene.alpha = draw(0.1, 0.8);
+    scene.beta = draw(0.1, 1.2);
+    scene.mu = draw(0, 1) < 0.15 ? 0 : draw(0.02, 0.8);
+    scene.restitution = draw(0, 0.8);
+    scene.floor_friction = draw(0.02, 1.0) * scene.beta;
+    scene.floor = draw(0, 1) < 0.3 ? Floor::table : Floor::dish;
+    return scene;
+}
+
+TEST(DryContact, MotionsAreThoseOfNewtonsEquations) {
+    std::map<std::string, int> events;
+    double worst = 0;
+    const nlohmann::json reference = tests::read_reference("dry_contact.json");
+    for (const auto& entry : reference["cases"]) {
+        Scene<double> scene = tests::scene_from<double>(entry);
+        scene.floor_friction = number<double>(entry["floor_friction"]);
+        scene.gravity_ratio = number<double>(entry["gravity_ratio"]);
+        scene.floor = entry["floor"].get<std::string>() == "table" ? Floor::table : Floor::dish;
+        const Disk disk(scene);
+        const auto start = [&](std::size_t i) { return number<double>(entry["start"][i]); };
+        const auto end = [&](std::size_t i) { return number<double>(entry["end"][i]); };
+        const ContactPhase<double> phase =
+            followed(disk.rim(), {start(0), 0, start(1), start(2)}, number<double>(entry["duration"]));
+        ASSERT_FALSE(phase.segments.empty()) << entry.dump();
+        const ContactSegment& piece = phase.segments.front();
+        const std::string event = entry["event"].get<std::string>();
+        EXPECT_EQ(name_of(piece.finish), event == "rest" ? "stick" : event) << entry.dump();
+        const double off =
+            std::max({std::abs(piece.end - end(0)), std::abs(std::remainder(piece.to.psi - end(1), 2 * pi<double>())),
+                      std::abs(piece.to.ut - end(2)), std::abs(piece.to.spin - end(3))});
+        EXPECT_LT(off, 2e-12) << entry.dump();
+        worst = std::max(worst, off);
+        ++events[(scene.floor == Floor::dish ? "dish " : "table ") + event];
+    }
+    for (const auto& [event, count] : events) std::printf("  %s: %d\n", event.c_str(), count);
+    std::printf("  off by %.1e at most\n", worst);
+    EXPECT_GE(events.size(), 8U);
+}
+
+// |U| = α|S|: the means are 8/3π and 8α/9π, and of the swirl's pull 32 a_f/9π is lost.
+TEST(DryContact, ADiskLocksToTheSwirlWhereThirtyTwoNinthsOfPiSay) {
+    for (const double part : {0.2, 0.8, 0.999}) {
+        Scene<double> scene = disk_over(0);
+        scene.mu = 10;
+        scene.floor_friction = part * scene.beta * 9 * pi<double>() / 32;
+        const Disk disk(scene);
+        const double psi = -std::asin(part), spin = -(1 - scene.alpha) / scene.alpha;
+        const ContactPhase<double> phase = followed(disk.rim(), {psi, 0, 0, spin}, 100);
+        ASSERT_EQ(phase.segments.size(), 1U);
+        // ψ swings about its place, or stays: rounding grows by no more than the time.
+        EXPECT_NEAR(phase.segments[0].to.psi, psi, 1e-11) << part;
+        EXPECT_NEAR(phase.segments[0].to.spin, spin, 1e-11) << part;
+    }
+    Scene<double> scene = disk_over(0);
+    scene.mu = 10;
+    scene.floor_friction = 1.3 * scene.beta * 9 * pi<double>() / 32;
+    const Disk disk(scene);
+    const ContactPhase<double> phase = followed(disk.rim(), {0, 0, 0, -0.75}, 300);
+    ASSERT_FALSE(phase.segments.empty());
+    EXPECT_EQ(phase.segments[0].finish, ContactEvent::stick);  // nowhere is the pull enough: it comes to rest
+}
+
+/// Rolling one way, the floor's friction is a constant force: ½(1 + κ)ρψ′² − β cos ψ + (32/9π) a_f ψ is kept.
+TEST(DryContact, RollingOneWayKeepsItsEnergy) {
+    Scene<double> scene = disk_over(0.2);
+    scene.mu = 10;
+    const Disk disk(scene);
+    const double rho = 1 - scene.alpha, lost = 32 / (9 * pi<double>()) * 0.2;
+    const auto energy = [&](const ContactState<double>& z) {
+        const double rate = -scene.alpha * z.spin / rho - 1;
+        return 0.75 * rho * rate * rate - scene.beta * std::cos(z.psi) + lost * z.psi;
+    };
+    const ContactState<double> start{-0.3, 0, 0, -1.9};
+    double worst = 0;
+    const ContactPhase<double> phase =
+        followed(disk.rim(), start, 1000, [&](const auto&, Support, ContactMotion, const ContactState<double>& z) {
+            worst = std::max(worst, std::abs(energy(z) - energy(start)));
+        });
+    EXPECT_EQ(phase.segments.size(), 1U);
+    std::printf("  energy off by %.1e in 1,000 time units\n", worst);
+    EXPECT_LT(worst, 1e-11);  // 8,000 steps of 1e-14, at random
+}
+
+/// What friction does in the container's frame: energy falls by at least what the swirl gives.
+TEST(DryContact, FrictionGivesNoEnergy) {
+    long pieces = 0;
+    for (int seed = 0; seed < 60; ++seed) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
+        Scene<double> scene = drawn_scene(draw);
+        scene.floor = Floor::dish;
+        const Disk disk(scene);
+        const double rho = 1 - scene.alpha, inertia = disk.body.inertia;
+        ContactState<double> last{draw(-1, 1), 0, draw(-1, 1), draw(-2, 2)};
+        double time = 0;
+        const auto energy = [&](const ContactState<double>& z) {
+            const double along = z.ut - scene.alpha * z.spin;
+            return 0.5 * along * along + 0.5 * inertia * z.spin * z.spin;
+        };
+        followed(disk.rim(), last, 30,
+                 [&](const ContactSums<double>& sums, Support, ContactMotion, const ContactState<double>& z) {
+                     // The swirl's power −β sin ψ ρν′ between two looks, by the trapezium: error below h³/12 of its
+                     // second derivative.
+                     const double h = sums.time - time;
+                     const auto power = [&](const ContactState<double>& y) {
+                         return -scene.beta * std::sin(y.psi) * (y.ut - scene.alpha * y.spin);
+                     };
+                     const double given = 0.5 * h * (power(last) + power(z)),
+                                  speed = 1 + std::abs(z.spin) + std::abs(z.ut);
+                     const double error = h * h * h * scene.beta * speed * speed * speed / rho / rho;
+                     EXPECT_LE(energy(z) - energy(last), given + error + 1e-13 * speed * speed)
+                         << seed << " at " << sums.time;
+                     last = z;
+                     time = sums.time;
+                     ++pieces;
+                 });
+    }
+    EXPECT_GT(pieces, 10'000);
+}
+
+/// A disk that is held moves in no way, unless the floor wedges it against the wall: then it might slip, too, and rest
+/// goes on. One that is not held moves in a way that its own forces drive.
+TEST(DryContact, RestEndsWhereAMotionBegins) {
+    int borders = 0, rolls = 0, slips = 0, wedged = 0;
+    for (int seed = 0; seed < 200; ++seed) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
+        Scene<double> scene = drawn_scene(draw);
+        scene.floor = Floor::dish;
+        const Disk disk(scene);
+        const RimScene<double> rim = disk.rim();
+        for (int k = 0; k < 60; ++k) {
+            const double psi = -pi<double>() + 2 * pi<double>() * (k + 0.5) / 60;
+            const RimRest rest = rest_on_rim(rim, psi);
+            if (std::abs(rest.reserve) < 1e-6 || std::cos(psi) < 0) continue;
+            const RimChoice choice = choose_rim_motion(rim, {psi, 0, 0, 0}, true);
+            const bool is_wedged = rest.normal > scene.beta * std::cos(psi) * (1 + 1e-9);
+            if (rest.reserve < 0 || !is_wedged) {
+                EXPECT_EQ(choice.stays, rest.reserve < 0) << seed << " psi " << psi << " reserve " << rest.reserve;
+            }
+            wedged += rest.reserve > 0 && is_wedged && choice.stays;
+            if (!choice.stays || rest.reserve > 0) continue;
+            ++borders;
+            ++(choice.motion.rolls() ? rolls : slips);
+        }
+    }
+    std::printf("  %d places where it is not held: %d roll, %d slip; %d where it is wedged\n", borders, rolls, slips,
+                wedged);
+    EXPECT_GT(rolls, 100);
+    EXPECT_GT(slips, 100);
+}
+
+TEST(DryContact, WithoutFrictionOfTheFloorItIsTheContactWithoutIt) {
+    const ContactState<double> start{0.4, 0, 0, -1.7};
+    Scene<double> scene = disk_over(0);
+    const ContactScene<double> smooth =
+        contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson);
+    const ContactEnd<double> known = run_contact(smooth, Support::rim, ContactMotion::sticking, start, 5.0);
+    ASSERT_EQ(known.event, ContactEvent::horizon);
+    for (const double deceleration : {1e-4, 1e-8, 1e-12}) {
+        scene.floor_friction = deceleration;
+        const Disk disk(scene);
+        const ContactPhase<double> phase = followed(disk.rim(), start, 5.0);
+        ASSERT_EQ(phase.segments.size(), 1U);
+        const ContactState<double>& end = phase.segments[0].to;
+        const double off = std::max(std::abs(end.psi - known.state.psi), std::abs(end.spin - known.state.spin));
+        EXPECT_LT(off, 30 * deceleration + 1e-13);  // 5 time units of a force 32/9π of it
+        EXPECT_GT(off, 0.1 * deceleration);
+    }
+}
+
+/// One impact more before its chatter is summed up changes no more than the second order of the time that it lasts.
+TEST(DryContact, ChatterEndsWhereOneImpactMoreLeads) {
+    double worst = 0;
+    int landings = 0;
+    for (int seed = 0; seed < 200; ++seed) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
+        Scene<double> scene = drawn_scene(draw);
+        scene.mu = draw(0.02, 0.8);
+        scene.restitution = draw(0.3, 0.8);
+        const DryMap<double, Shape::disk, ImpactRule::poisson> map(scene);
+        const RimScene<double> rim = map.rim();
+        PostImpactState<double> z = leaving_rim(rim, {draw(-1, 1), 0, draw(0.2, 1), draw(-2, 2)});
+        z.vn -= 1e-6;  // T is some 10⁻⁶, T² v 10⁻¹⁸
+        const Collision<double> next = map.advance(z);
+        if (next.outcome != FirstContactOutcome::contact || next.flight_time > 1e-4) continue;
+        const ContactPhase<double> first = follow_rim(rim, z, 0.5),
+                                   second = follow_rim(rim, next.after, 0.5 - next.flight_time);
+        if (first.segments.size() != 1 || second.segments.size() != 1 || first.finish != ContactEvent::horizon)
+            continue;
+        const ContactState<double>&a = first.segments[0].to, &b = second.segments[0].to;
+        const double off = std::max({std::abs(std::remainder(a.psi - b.psi, 2 * pi<double>())), std::abs(a.ut - b.ut),
+                                     std::abs(a.spin - b.spin) * scene.alpha});
+        worst = std::max(worst, off);
+        ++landings;
+    }
+    std::printf("  %d landings from u_n = -1e-6: off by %.1e at most\n", landings, worst);
+    EXPECT_GT(landings, 50);
+    EXPECT_LT(worst, 1e-10);  // first order, were the friction of what is removed left out: 10⁻⁶
+}
+
+TEST(DryContact, OrbitsEndWithNames) {
+    std::map<std::string, int> endings;
+    for (int seed = 0; seed < 100; ++seed) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
+        const Scene<double> scene = drawn_scene(draw);
+        const double reach = draw(0, 0.9) * (1 - scene.alpha), direction = draw(-3, 3);
+        const LabStart<double> start{scene.beta + reach * std::cos(direction),
+                                     reach * std::sin(direction),
+                                     draw(-1, 1),
+                                     draw(-1, 1),
+                                     0.1,
+                                     draw(-2, 2)};
+        with_dry_map(scene, [&](const auto& map) {
+            ReducedOrbit orbit(map, start);
+            int impacts = 0;
+            while (impacts < 200 && orbit.advance(30)) ++impacts;
+            ++endings[std::string(name_of(orbit.outcome()))];
+            EXPECT_NE(orbit.outcome(), Outcome::unresolved) << seed;
+            EXPECT_NE(orbit.outcome(), Outcome::contact_cut) << seed;
+        });
+    }
+    for (const auto& [ending, count] : endings) std::printf("  %s: %d\n", ending.c_str(), count);
+    EXPECT_GT(endings["in-contact"], 50);
+}
+
+/// Contact that lasts longer is no way to an impact here, in 1/ω_s.
+constexpr double soon = 30;
+
+template <ImpactRule rule>
+using DiskMap = DryMap<double, Shape::disk, rule>;
+
+/// A state with one coordinate changed, on the surface u_n = const, on which contact begins at once; nothing where the
+/// way from there is another.
+struct Side {
+    std::array<double, 4> from, to;
+};
+
+template <ImpactRule rule>
+std::optional<Side> side_of(const ReturnMap<DiskMap<rule>>& back, const std::array<double, 4>& here, std::size_t j,
+                            double change, std::size_t pieces) {
+    const auto state_of = [](const std::array<double, 4>& c) {
+        return post_impact_state(section_point<Shape::disk>(c));
+    };
+    const auto un_of = [&](const auto& c) { return contact_kinematics(back.map().body(), state_of(c)).un; };
+    Side side{here, {}};
+    side.from[j] += change;
+    side.from[1] += un_of(here) - un_of(side.from);
+    const auto step = back.advance(state_of(side.from), soon);
+    if (step.outcome != Outcome::completed || step.contacts.size() != pieces) return {};
+    side.to = coordinates<Shape::disk>(section_point(step.collision.after));
+    return side;
+}
+
+/// Against differences over ± h and ± h/2, extrapolated.
+template <ImpactRule rule>
+void check_derivative(const ReturnMap<DiskMap<rule>>& back, const SectionPoint<double>& z, int& columns,
+                      double& worst) {
+    const auto here = coordinates<Shape::disk>(z);
+    const auto known = back.advance(post_impact_state(z), soon);
+    const auto derivative = derivative_through_contact(back, z, known);
+    constexpr double h = 1e-5;
+    for (const std::size_t j : {0U, 2U, 3U}) {
+        std::array<std::optional<Side>, 4> sides;
+        const double changes[] = {h, -h, 0.5 * h, -0.5 * h};
+        for (std::size_t s = 0; s < 4; ++s) sides[s] = side_of(back, here, j, changes[s], known.contacts.size());
+        if (!std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.has_value(); })) continue;
+        const double by_vn = (sides[0]->from[1] - sides[1]->from[1]) / (2 * h);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+            const double whole = (sides[0]->to[i] - sides[1]->to[i]) / (2 * h),
+                         half = (sides[2]->to[i] - sides[3]->to[i]) / h;
+            const double expected = derivative(row, column) + by_vn * derivative(row, 1);
+            const double off = std::abs((4 * half - whole) / 3 - expected) / (1 + derivative.cwiseAbs().maxCoeff());
+            // Flights and contacts are known to 10⁻¹³, 10⁻⁸ by h; what grazes bends more than the extrapolation knows.
+            EXPECT_LT(off, 1e-6) << "row " << i << " column " << j;
+            worst = std::max(worst, off);
+        }
+        ++columns;
+    }
+}
+
+TEST(DryContact, ItsDerivativeIsThatOfDifferences) {
+    int columns = 0;
+    double worst = 0;
+    for (int seed = 0; seed < 30; ++seed) {
+        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
+        const Scene<double> scene = drawn_scene(draw);
+        with_dry_map(scene, [&](const auto& map) {
+            using Map = std::decay_t<decltype(map)>;
+            if constexpr (Map::shape == Shape::disk) {
+                const ReturnMap<Map> back(map);
+                const RimScene<double> rim = map.rim();
+                for (int k = 0; k < 10; ++k) {
+                    PostImpactState<double> start = leaving_rim(rim, {draw(-2, 2), 0, draw(-1, 1), draw(-2, 2)});
+                    start.vn -= 1e-9;
+                    const auto step = back.advance(start, soon);
+                    if (step.outcome != Outcome::completed || step.contacts.empty()) continue;
+                    if (step.contacts.back().end < 1e-2 || step.collision.impulse.normal < 1e-2) continue;  // grazing
+                    check_derivative(back, section_point(start), columns, worst);
+                }
+            }
+        });
+    }
+    std::printf("  %d columns, off by %.1e at most\n", columns, worst);
+    EXPECT_GT(columns, 60);
+}
+
+/// Of the trajectory between impacts, in flight and in contact.
+TEST(DryContact, PathsStayOnTheWallAndJoin) {
+    Scene<double> scene = disk_over(0.2);
+    scene.mu = 0.1;
+    const LabStart<double> start{0.5, 0, 0.3, 0.1, 0.1, 0.5};
+    const DryMap<double, Shape::disk, ImpactRule::poisson> map(scene);
+    Orbit orbit(map, start);
+    TrajectorySegmenter cutter(scene, start);
+    cutter.take_paths_from(dry_paths(scene));
+    Moment last{};
+    double last_time = 0;
+    long looks = 0, slipping = 0;
+    bool begun = false;
+    for (bool goes_on = true; goes_on;) {
+        goes_on = orbit.advance(50, cutter.sink());
+        for (const TrajectorySegment& segment : cutter.passed(orbit, goes_on)) {
+            for (int k = 0; k <= 4; ++k) {
+                const double t = segment.start + (segment.end - segment.start) * k / 4;
+                const Moment now = moment_at(cutter.scene(), segment, t);
+                const double off = std::hypot(now.centre.x - 0.5 * std::cos(t), now.centre.y - 0.5 * std::sin(t)) - 0.6;
+                EXPECT_LT(off, 1e-12);
+                if (segment.in_contact) {
+                    EXPECT_GT(off, -1e-12);
+                    EXPECT_GE(now.normal_force, -1e-12);
+                    EXPECT_LE(std::abs(now.friction), scene.mu * now.normal_force + 1e-9);
+                    slipping += std::abs(now.slip) > 1e-3;
+                    ++looks;
+                }
+                if (begun) {
+                    EXPECT_LT(std::hypot(now.centre.x - last.centre.x, now.centre.y - last.centre.y),
+                              3 * (t - last_time) + 1e-11);
+                }
+                last = now;
+                last_time = t;
+                begun = true;
+            }
+        }
+    }
+    EXPECT_EQ(orbit.outcome(), Outcome::in_contact);
+    EXPECT_GT(looks, 1'000);
+    EXPECT_GT(slipping, 20);
+}
+
+}  // namespace
+}  // namespace swirl

@@ -189,9 +189,9 @@ TEST(Dry, TheDerivativeIsThatOfTheMap) {
     EXPECT_GE(columns, 200);
 }
 
-/// |U|/α|S| of a disk that spins and slides over a table, as it last was before both fell to these parts of the spin.
-std::array<double, 3> last_ratios(double inertia_factor, double velocity, double spin,
-                                  const std::array<double, 3>& parts) {
+/// |U|/α|S| of a disk that spins and slides over a table, where |U| + |S| R_c has fallen to these parts of the first S.
+std::array<double, 3> ratios_at(double inertia_factor, double velocity, double spin,
+                                const std::array<double, 3>& parts) {
     Scene<double> scene = scene_over(0.1, disk_sides, Floor::table);
     scene.inertia_factor = inertia_factor;
     const DryMap<double, Shape::disk, ImpactRule::poisson> map(scene);
@@ -201,22 +201,32 @@ std::array<double, 3> last_ratios(double inertia_factor, double velocity, double
     start.beta = scene.beta;
     start.spin = spin;
     const auto flight = map.dry_flight(start);
-    DryCourse course(flight);
+    const auto sliding = [&](const Slowing<double>& y) { return std::hypot(velocity + y[2], y[3]); };
+    const auto spinning = [&](const Slowing<double>& y) { return std::fabs(spin + y[5]); };
     std::array<double, 3> ratios{};
-    for (; !course.has_stopped(); course.advance()) {
-        const Station<double>& at = course.station();
-        const double sliding = std::hypot(velocity + at.y[2], at.y[3]);
-        for (std::size_t k = 0; k < parts.size(); ++k)
-            if (sliding + std::fabs(spin + at.y[5]) >= parts[k] * std::fabs(spin))
-                ratios[k] = sliding / (scene.alpha * std::fabs(spin + at.y[5]));
+    DryCourse course(flight);
+    for (std::size_t k = 0; k < parts.size() && !course.has_stopped();) {
+        const double least = parts[k] * std::fabs(spin);
+        if (sliding(course.station().y) + spinning(course.station().y) > least) {
+            course.advance();
+            continue;
+        }
+        double early = 0, late = course.step();
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (early + late);
+            const Slowing<double> y = slowing_after(flight, course.before(), middle);
+            (sliding(y) + spinning(y) > least ? early : late) = middle;
+        }
+        const Slowing<double> y = slowing_after(flight, course.before(), late);
+        ratios[k++] = sliding(y) / (scene.alpha * spinning(y));
     }
     return ratios;
 }
 
-/// What it comes to as a power of the speed, by Aitken's formula. The speeds are known to 10⁻¹⁵, the ratio at the last,
-/// 10⁻⁸ of the spin, to 3·10⁻⁷.
+/// What it comes to as a power of the speed, by Aitken's formula. Speeds are known to some 10⁻¹⁵, so that the ratio at
+/// the last, 10⁻⁷ of the spin, is known to 10⁻⁸.
 double limit_ratio(double inertia_factor, double velocity, double spin) {
-    const auto ratios = last_ratios(inertia_factor, velocity, spin, {1e-4, 1e-6, 1e-8});
+    const auto ratios = ratios_at(inertia_factor, velocity, spin, {1e-5, 1e-6, 1e-7});
     const double first = ratios[1] - ratios[0], second = ratios[2] - ratios[1];
     return ratios[2] - second * second / (second - first);
 }
@@ -234,12 +244,12 @@ TEST(Dry, SlidingAndSpinningEndTogether) {
         boost::math::tools::toms748_solve(drift, 0.1, 3.0, boost::math::tools::eps_tolerance<double>(), steps);
     EXPECT_NEAR(between.first, 0.653, 5e-4);
     for (const auto& [velocity, spin] : {std::pair(1.0, 0.5), std::pair(0.26, 1.0), std::pair(-0.5, 2.0)})
-        EXPECT_NEAR(limit_ratio(0.5, velocity, spin), between.first, 1e-6);
+        EXPECT_NEAR(limit_ratio(0.5, velocity, spin), between.first, 1e-7);
     std::printf("sliding and spinning end together at %.9f, by the drift at %.9f\n", limit_ratio(0.5, 0.5, 2),
                 between.first);
-    const std::array<double, 3> late{1e-9, 1e-9, 1e-9};
-    EXPECT_GT(last_ratios(0.2, 0.5, 2, late)[0], 5);
-    EXPECT_LT(last_ratios(0.8, 0.5, 2, late)[0], 0.05);
+    const std::array<double, 3> late{1e-7, 1e-8, 1e-9};
+    EXPECT_GT(ratios_at(0.2, 0.5, 2, late)[2], 5);
+    EXPECT_LT(ratios_at(0.8, 0.5, 2, late)[2], 0.05);
 }
 
 /// No point of the body is outside at any of a thousand moments of a flight, and the vertex that strikes is on the wall

@@ -78,7 +78,7 @@ Table<ContactRow> contact_table() {
              .record_only(),
          F{"begin", &Row::begin, "", "what began it"}.flags(events),
          F{"end", &Row::end, "", "what ended it"}.flags(events),
-         F{"motion", &Row::motion, "", "how the body moved"}.flags({"sliding", "sticking", "rolling"}),
+         F{"motion", &Row::motion, "", "how the body moved"}.flags({"sliding", "sticking", "rolling", "resting"}),
          {"mean_S", &Row::mean_spin, "1", "time mean of S"},
          {"jacobi_friction", &Row::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt"},
          {"landing_jacobi", &Row::landing_jacobi, "m R_c^2 omega_s^2",

@@ -26,6 +26,12 @@ struct ContactSegment {
     long steps = 0;    ///< number of power series
 };
 
+/// A disk at rest against a dish with dry friction (map/dry): its contact neither slips nor turns it.
+inline bool rests_on_rim(const ContactSegment& piece) {
+    return piece.support == Support::rim && piece.motion == ContactMotion::sticking && piece.from.spin == 0 &&
+           piece.to.spin == 0 && piece.end > piece.start;
+}
+
 template <class T>
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam

@@ -23,7 +23,8 @@ extern template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
 extern template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
 
 /// That of a disk which the wall has released: g and g′ are zero at the start, g″ too or below. The search begins at a
-/// moment up to which g was seen to fall, at ten moments, not proven to; `unresolved` if there is none.
+/// moment up to which g was seen to fall, at ten moments of the last step (of the first, but from rest against the
+/// floor: 10⁻⁶/ω_s are passed over there), not proven to; `unresolved` if there is none.
 DryContact first_contact_after_release(const DryFlight<double>& flight);
 
 /// g′ and g″ at the start of the vertex (disk: of the rim) that is on the wall; without g‴.

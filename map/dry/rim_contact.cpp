@@ -51,6 +51,7 @@ public:
         int idle = 0;
         while (true) {  // ends at: a release, the horizon, too many steps or pieces
             const RimChoice choice = choose_rim_motion(scene_, z, begin == ContactEvent::slip);
+            phase_.resolved = choice.is_consistent;
             if (!choice.stays) return finish(ContactEvent::release, z);
             if (!(phase_.sums.time < horizon_) || steps_left_ <= 0 || phase_.segments.size() >= most_pieces)
                 return finish(ContactEvent::horizon, z);
@@ -111,18 +112,18 @@ private:
         return end;
     }
 
-    void show_step(const RimMotion& motion, const RimCourse& course, double h) const {
+    void show_step(const RimCourse& course, double h) const {
         constexpr int parts = 4;
         for (int part = 1; part < parts; ++part)
-            show(motion, course.before().time + h * part / parts,
-                 rim_place_after(scene_, motion, course.before(), h * part / parts));
+            show(course.motion(), course.before().time + h * part / parts,
+                 rim_place_after(scene_, course.motion(), course.before(), h * part / parts));
     }
 
     /// Until something ends the motion; z is then where.
     ContactEvent move(const RimMotion& motion, ContactState<double>& z, ContactEvent begin) {
         const ContactState<double> from = z;
         const double left = horizon_ - phase_.sums.time;
-        RimCourse course(scene_, motion, z);
+        RimCourse course(scene_, motion, z, left);
         long steps = 0;
         const auto end = [&](ContactEvent event, double time, const RimPlace<double>& y) {
             z = contact_of(y);
@@ -135,16 +136,16 @@ private:
             course.advance(left - course.station().time);
             ++steps;
             if (const auto failure = course.failure()) {
-                if (sink_) show_step(motion, course, failure->time);
-                const RimPlace<double> y = failure->time == 0
-                                               ? course.before().y
-                                               : rim_place_after(scene_, motion, course.before(), failure->time);
+                if (sink_) show_step(course, failure->time);
+                const RimPlace<double> y =
+                    failure->time == 0 ? course.before().y
+                                       : rim_place_after(scene_, course.motion(), course.before(), failure->time);
                 const ContactEvent event =
-                    end(rim_event(motion, failure->which), course.before().time + failure->time, y);
+                    end(rim_event(course.motion(), failure->which), course.before().time + failure->time, y);
                 if (failure->which == 2) z.ut = z.spin = 0;
                 return event;
             }
-            if (sink_) show_step(motion, course, course.step());
+            if (sink_) show_step(course, course.step());
             if (course.has_stopped()) {
                 const ContactEvent event = end(ContactEvent::stick, course.station().time, course.station().y);
                 z.ut = z.spin = 0;

@@ -26,7 +26,8 @@ double lowest_of_parabola(double start, double middle, double end) {
 
 }  // namespace
 
-RimCourse::RimCourse(const RimScene<double>& scene, const RimMotion& motion, const ContactState<double>& start)
+RimCourse::RimCourse(const RimScene<double>& scene, const RimMotion& motion, const ContactState<double>& start,
+                     double most)
     : scene_(scene),
       motion_(motion),
       station_(rim_station(scene, motion, 0.0, {start.psi, start.ut, start.spin, 0, 0})) {
@@ -34,7 +35,8 @@ RimCourse::RimCourse(const RimScene<double>& scene, const RimMotion& motion, con
     stiff_ = 0.25 * scene.deceleration / scene.inertia_factor();
     scale_ = scene.body->beta + scene.deceleration + along * along * scene.body->inverse_inner;
     if (!scene.is_dish || motion.rolls() || start.ut != 0 || start.spin != 0) return;
-    const Creep creep = creep_from_rest(scene, motion, start.psi, creep_lasts(scene, motion, start.psi));
+    const Creep creep =
+        creep_from_rest(scene, motion, start.psi, std::min(most, creep_lasts(scene, motion, start.psi)));
     station_ = rim_station(scene, motion, creep.time,
                            {start.psi - creep.time, creep.ut, creep.spin, 0.5 * creep.spin * creep.time, 0});
     end_spin();
@@ -134,7 +136,6 @@ double RimCourse::locate(std::size_t which, double from, double to) const {
 }
 
 std::optional<RimCourse::Failure> RimCourse::failure() const {
-    if (motion_.rests) return {};
     // Between stations places are first taken from the cubic through both. What is so near to zero that its error, of
     // fourth order, could hide a sign is looked at by the integration itself.
     const double turned = step_ * (1 + std::fabs(before_.rate[0]));

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace swirl {
@@ -82,8 +83,9 @@ class RimCourse {
 public:
     static constexpr double longest_step = 0.125;  ///< in 1/ω_s
 
-    /// A slip from rest begins with its creep: the first station is at its end.
-    RimCourse(const RimScene<double>& scene, const RimMotion& motion, const ContactState<double>& start);
+    /// A slip from rest begins with its creep: the first station is at its end, or after `most` of it.
+    RimCourse(const RimScene<double>& scene, const RimMotion& motion, const ContactState<double>& start,
+              double most = std::numeric_limits<double>::infinity());
 
     const RimMotion& motion() const { return motion_; }
     const RimStation<double>& station() const { return station_; }

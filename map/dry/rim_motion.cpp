@@ -13,6 +13,9 @@ namespace swirl {
 
 namespace {
 
+/// The reserve of rest is known to less than this, of a_f.
+constexpr double at_border = 1e-7;
+
 Vec2<double> swirl_at(const RimScene<double>& scene, double psi) {
     return {scene.body->beta * std::cos(psi), -scene.body->beta * std::sin(psi)};
 }
@@ -63,7 +66,7 @@ std::optional<SlipFromRest> slip_from_rest(const RimScene<double>& scene, double
     };
     const auto across = [&](double angle) { return begin(motion_at(angle)).across; };
     constexpr int parts = 96;
-    constexpr double first = 0.01;  // no ratio that symmetry gives: 0, 1 or without end
+    constexpr double first = 0.01;  // any: it keeps ratios that symmetry gives, 0, 1 and ∞, off the grid
     for (int k = 0; k < parts; ++k) {
         const double low = first + 2 * pi<double>() * k / parts, high = low + 2 * pi<double>() / parts;
         const double before = across(low), after = across(high);
@@ -96,7 +99,9 @@ RimChoice from_rest(const RimScene<double>& scene, const ContactState<double>& z
     const bool is_held = scene.mu > 0 && std::fabs(forces.friction) <= scene.mu * forces.normal;
     if (is_held && -heading * forces.spin_rate > 0) return {true, rolling};
     if (const auto slip = slip_from_rest(scene, z.psi)) return {true, slip->motion};
-    return {};
+    // Within rounding of the border it rests on, until what follows surely begins.
+    const bool is_at_border = std::fabs(rest_on_rim(scene, z.psi).reserve) < at_border * scene.deceleration;
+    return {is_at_border, rest, is_at_border};
 }
 
 }  // namespace
@@ -119,14 +124,15 @@ Creep creep_from_rest(const RimScene<double>& scene, const RimMotion& motion, do
 }
 
 double creep_lasts(const RimScene<double>& scene, const RimMotion& motion, double psi) {
-    constexpr double soon = 1e-4;
+    constexpr double soon = 1e-4;  // in which the growth's rate hardly changes, nor is lost in rounding
     const auto growth = [&](double later) {
         const auto slip = slip_from_rest(scene, psi - later, motion.motion);
         return slip ? slip->growth : 0.0;
     };
     const double size = 1e-6 * scene.deceleration, now = growth(0), rate = std::max(0.0, (growth(soon) - now) / soon);
     const double sum = now + std::sqrt(now * now + 2 * rate * size);  // now t + ½ rate t² = size
-    return sum > 0 ? std::min(2 * size / sum, 0.01) : 0.01;
+    constexpr double longest = 0.01;  // in which ψ, and with it the growth's rate, hardly changes
+    return sum > 0 ? std::min(2 * size / sum, longest) : longest;
 }
 
 RimRest rest_on_rim(const RimScene<double>& scene, double psi) {
@@ -143,21 +149,32 @@ RimRest rest_on_rim(const RimScene<double>& scene, double psi) {
         const Limit limit = limit_at(scene, part);
         return held_by(sign * a * limit.torque, a * limit.force);
     };
+    RimRest best = without;
+    const auto take = [&](const RimRest& rest) {
+        if (rest.reserve > best.reserve) best = rest;
+    };
     std::uintmax_t iterations = 60;
-    const double part =
-        boost::math::tools::brent_find_minima([&](double p) { return -at(p).reserve; }, 0.0, 1.0, 30, iterations).first;
-    const RimRest best = at(part);
-    return best.reserve > without.reserve ? best : without;
+    const auto minus = [&](double p) { return -at(p).reserve; };
+    take(at(boost::math::tools::brent_find_minima(minus, 0.0, 1.0, 30, iterations).first));
+    // Where more friction needs more than w_n to press it the reserve has a kink, and is not flat at its largest.
+    const auto short_of_kink = [&](double p) { return scene.mu * swirl.x - a * limit_at(scene, p).torque; };
+    if (swirl.x > 0 && short_of_kink(0) < 0) {
+        iterations = 60;
+        take(at(boost::math::tools::toms748_solve(short_of_kink, 0.0, 1.0,
+                                                  boost::math::tools::eps_tolerance<double>(52), iterations)
+                    .second));
+    }
+    return best;
 }
 
 RimChoice choose_rim_motion(const RimScene<double>& scene, const ContactState<double>& z, bool broken) {
     if (is_at_rest(scene, z)) return from_rest(scene, z, broken);
     RimMotion motion;
+    motion.heading = along_wall(scene, z) < 0 ? -1 : 1;
     if (scene.mu == 0 || z.ut != 0) {
         motion.motion = scene.mu > 0 && z.ut < 0 ? ContactMotion::sliding_backward : ContactMotion::sliding_forward;
         return {rim_forces(scene, motion, z).normal >= 0, motion};
     }
-    motion.heading = along_wall(scene, z) < 0 ? -1 : 1;
     const RimForces<double> rolling = rim_forces(scene, motion, z);
     if (!(rolling.normal >= 0)) return {};
     if (!broken && std::fabs(rolling.friction) <= scene.mu * rolling.normal) return {true, motion};

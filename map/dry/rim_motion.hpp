@@ -33,7 +33,7 @@ struct RimMotion {
     bool rests = false;  ///< against a dish, whose friction holds it: ρν′ = 0 and S = 0
     /// Where it begins at ρν′ = 0 and S = 0 these go as `heading` to αS as `turning`. Of a disk that rolls on a dish,
     /// or slides on it without friction of the wall and without spin, `heading` is the sign of ρν′.
-    double heading = 1, turning = -1;
+    double heading = 1, turning = 0;
 
     bool rolls() const { return motion == ContactMotion::sticking; }
     /// s of u_t.
@@ -126,12 +126,13 @@ RimRest rest_on_rim(const RimScene<double>& scene, double psi);
 struct RimChoice {
     bool stays = false;
     RimMotion motion;
+    bool is_consistent = true;  ///< false: it is pressed to the wall, and no motion agrees with the forces of its own
 };
 
 /// Sliding where u_t ≠ 0; else rolling where friction holds it, else the slip against the friction that it would need.
 /// At rest against a dish: rest where that is held, else flight where the swirl pulls it off the wall, else rolling, or
 /// the slip that keeps the ratio ρν′ : αS in which it begins.
-///   broken  friction has just ceased to hold: neither rest nor rolling
+///   broken  friction has just ceased to hold: no rest after a rest, no rolling after rolling
 RimChoice choose_rim_motion(const RimScene<double>& scene, const ContactState<double>& z, bool broken);
 
 /// A slip that has begun at rest a time ago. (ρν′, αS) goes at first in the ratio of its rates, which changes as ψ

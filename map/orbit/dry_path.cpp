@@ -72,7 +72,7 @@ ContactPlace contact_after(const Surroundings& around, double mu, ContactMotion 
                            double later) {
     const RimScene<double> scene{&around.body, mu, &around.pressure, around.deceleration, around.is_dish};
     const RimMotion motion = rim_motion_at(scene, kind, from);
-    RimCourse course(scene, motion, from);
+    RimCourse course(scene, motion, from, later);
     while (course.station().time < later) course.advance(later - course.station().time);
     const RimPlace<double>& y = course.station().y;
     const ContactState<double> state = contact_of(y);

@@ -35,14 +35,6 @@ PostImpactState<J> return_over_dry_floor(const ReturnMap<DryMap<double, Shape::d
         .after;
 }
 
-/// Did the disk rest against the dish on the way? Then DF = 0, as in has_rested.
-inline bool rested_on_rim(const ReturnStep<double>& step) {
-    return std::any_of(step.contacts.begin(), step.contacts.end(), [](const ContactSegment& segment) {
-        return segment.motion == ContactMotion::sticking && segment.from.spin == 0 && segment.to.spin == 0 &&
-               segment.end > segment.start;
-    });
-}
-
 }  // namespace detail
 
 /// DF(z), where `known` is F(z) and leads through contact, in closed form but for the flights and motions, which are
@@ -56,7 +48,8 @@ auto derivative_through_contact(const ReturnMap<DryMap<double, Shape::disk, rule
     using J = ContactJet<dimension>;
     using Derivative = Eigen::Matrix<double, dimension, dimension>;
     if (series) *series += (1 + cost_in_jets) * contact_steps(known);
-    if (detail::rested_on_rim(known)) return Derivative(Derivative::Zero());
+    // As in has_rested: what was before does not matter.
+    if (std::any_of(known.contacts.begin(), known.contacts.end(), rests_on_rim)) return Derivative(Derivative::Zero());
     const PostImpactState<double> base = post_impact_state(z);
     const auto next = coordinates<Shape::disk>(section_point(
         detail::return_over_dry_floor(map, scene_in<J>(map.map().scene()), base, seeded<J, Shape::disk>(base), known)));

@@ -9,10 +9,11 @@ from .cut import tell_cut
 from .legends import LegendBelow, legend_inside, panel_size
 from .ranges import inside, overlapping, part, require
 from .spin import spin_on_wall
-from .style import BLACK, BLUE, GREEN, ORANGE, SKY, VERMILION
+from .style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, TIME, scene_title
 
-_MOTIONS = {"sliding": (VERMILION, "sliding"), "sticking": (BLUE, "sticking"), "rolling": (GREEN, "rolling")}
+_MOTIONS = {"sliding": (VERMILION, "sliding"), "sticking": (BLUE, "sticking"), "rolling": (GREEN, "rolling"),
+            "resting": (PURPLE, "resting")}
 
 #: Points that a mark of an event takes.
 _MARK = 6.0

@@ -146,8 +146,23 @@ bool ContactTail::judge_over_floor(const analysis::Swing& swing, analysis::Class
     return true;
 }
 
+bool ContactTail::judge_rest(analysis::Classification& verdict) const {
+    const bool rests = dry_floor_ && !samples_.empty() &&
+                       std::all_of(samples_.begin(), samples_.end(), [](const analysis::SwingSample& sample) {
+                           return sample.rotation == 0 && sample.rate == -1;
+                       });
+    if (!rests) return false;
+    verdict.kind = analysis::Kind::riding;
+    verdict.mode = analysis::Mode::steady;
+    verdict.mean = 0;
+    verdict.evidence.push_back({"room at the wall", 0, 0, "friction holds the disk against the dish, at its wall",
+                                "more pull than friction holds: it is torn loose"});
+    return true;
+}
+
 bool ContactTail::judge(analysis::Classification& verdict) const {
     using analysis::Kind, analysis::Mode;
+    if (judge_rest(verdict)) return true;
     const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular, nearly);
     if (judge_over_floor(swing, verdict)) return true;
     const auto settled = settles_on(swing);

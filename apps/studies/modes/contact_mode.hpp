@@ -47,7 +47,7 @@ public:
     /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is
     /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's. Over a floor
     /// that drags a rolling disk that has turned back once does so for ever less, and comes to rest: rolling, S = −ρ/α;
-    /// one without friction ceases to turn.
+    /// one without friction ceases to turn. A disk that a dish's dry friction holds: riding, steady, S = 0.
     /// @return true if nothing changes any more: a longer look would show the same
     bool judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }
@@ -56,6 +56,7 @@ private:
     double friction(Support support, ContactMotion motion, const ContactState<double>& state) const;
     void note_rolling(double share, const ContactState<double>& state);
     std::optional<double> spin_over_floor() const;
+    bool judge_rest(analysis::Classification& verdict) const;
     bool judge_over_floor(const analysis::Swing& swing, analysis::Classification& verdict) const;
     bool was_cut() const;  ///< contact was not followed as far as was asked for
     bool slip_dies() const;

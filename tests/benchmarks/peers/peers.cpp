@@ -1,7 +1,8 @@
 // The compiled peers behind one prompt, so that compare.py can have them and those in Python run in turns:
 //
-//     scene disk|hexagon|rough-hexagon|elastic-rough-hexagon SEED COUNT
-//         COUNT flights drawn, eight in a row of each orbit: as many lines, a start and quad's impact
+//     scene disk|hexagon|rough-hexagon|elastic-rough-hexagon|dry-disk|dry-hexagon SEED COUNT
+//         COUNT flights drawn, eight in a row of each orbit: as many lines, a start and quad's impact (over a floor
+//         with dry friction double's)
 //     next PEER TOLERANCE STEP COUNT
 //         one impact from each of the first COUNT starts: as many lines
 //     row PEER TOLERANCE STEP FIRST COUNT
@@ -31,6 +32,12 @@ using namespace swirl;
 using namespace swirl::peers;
 
 Scene<double> scene_named(const std::string& name) {
+    if (name == "dry-disk" || name == "dry-hexagon") {
+        Scene<double> dry = scene_named(name == "dry-disk" ? "disk" : "rough-hexagon");
+        dry.floor_friction = 0.05;
+        dry.gravity_ratio = 1;
+        return dry;
+    }
     if (name != "disk" && name != "hexagon" && name != "rough-hexagon" && name != "elastic-rough-hexagon")
         throw std::runtime_error("scene " + name);
     const int sides = name == "disk" ? disk_sides : 6;
@@ -105,7 +112,7 @@ private:
         if (!(in >> seed >> count)) throw std::runtime_error("scene NAME SEED COUNT");
         scene_ = scene_named(name);
         starts_ = draw(scene_, seed, count);
-        const auto quad = make_swirl_peer("quad", scene_);
+        const auto quad = make_swirl_peer(scene_.has_dry_floor() ? "double" : "quad", scene_);
         for (const State& start : starts_) {
             print(start);
             std::printf(" ");

@@ -1,6 +1,9 @@
 // SUNDIALS: CVODE (Adams, fixed-point iteration: nothing is stiff) with its root finding on the gaps of all vertices,
-// as its manual has it; rising zeros only. At an impact the integrator is initialised anew.
+// as its manual has it; rising zeros only. At an impact the integrator is initialised anew. Over a floor with dry
+// friction S is an unknown, too, and the means of friction are Swirl's (map/dry/uniform_pressure.hpp): what is compared
+// there is the integration.
 #include "container_frame.hpp"
+#include "map/dry/uniform_pressure.hpp"
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,7 +20,8 @@
 namespace swirl::peers {
 namespace {
 
-constexpr int unknowns = 5;  // X, X′, the angle of the vertex that has just struck
+// X, X′, the angle of the vertex that has just struck; over a floor with dry friction S
+constexpr int unknowns = 5, unknowns_over_dry_floor = 6;
 
 void require(bool done, const char* what) {
     if (!done) throw std::runtime_error(std::string("SUNDIALS: ") + what);
@@ -24,9 +29,10 @@ void require(bool done, const char* what) {
 
 class SundialsPeer final : public Peer {
 public:
-    SundialsPeer(const Scene<double>& scene, const Settings& settings) : scene_(scene) {
+    SundialsPeer(const Scene<double>& scene, const Settings& settings) : scene_(scene), body_(make_body(scene)) {
+        if (scene.has_dry_floor()) pressure_.emplace(scene.sides);
         require(SUNContext_Create(nullptr, &context_) == 0, "no context");
-        y_ = N_VNew_Serial(unknowns, context_);
+        y_ = N_VNew_Serial(pressure_ ? unknowns_over_dry_floor : unknowns, context_);
         solver_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
         memory_ = CVodeCreate(CV_ADAMS, context_);
         require(y_ != nullptr && solver_ != nullptr && memory_ != nullptr, "no memory");
@@ -56,6 +62,7 @@ public:
         double* const y = N_VGetArrayPointer(y_);
         y[0] = from.centre.x, y[1] = from.centre.y, y[2] = from.velocity.x, y[3] = from.velocity.y, y[4] = from.angle;
         spin_ = from.spin;
+        if (pressure_) y[5] = spin_;
         require(CVodeReInit(memory_, 0, y_) == 0, "could not begin");
         double t = 0;
         if (CVode(memory_, longest_flight, y_, &t, CV_NORMAL) != CV_ROOT_RETURN) return {};
@@ -63,8 +70,8 @@ public:
         int vertex = 0;
         while (roots_[static_cast<std::size_t>(vertex)] == 0) ++vertex;
         const Vec2<double> centre{y[0], y[1]};
-        const State before =
-            section_state(scene_, t, centre, {y[2], y[3]}, arm_of(scene_, centre, y[4], vertex), spin_);
+        const State before = section_state(scene_, t, centre, {y[2], y[3]}, arm_of(scene_, centre, y[4], vertex),
+                                           pressure_ ? y[5] : spin_);
         return {true, t, vertex, after_impact(scene_, before)};
     }
 
@@ -78,6 +85,16 @@ private:
         d[2] = peer.scene_.beta * std::cos(t);
         d[3] = peer.scene_.beta * std::sin(t);
         d[4] = peer.spin_;
+        if (!peer.pressure_) return 0;
+        Vec2<double> slip{v[2], v[3]};
+        if (peer.scene_.floor == Floor::table) slip = slip + peer.scene_.beta * Vec2<double>{-std::sin(t), std::cos(t)};
+        const Vec2<double> arm = peer.scene_.alpha * Vec2<double>{std::cos(v[4]), std::sin(v[4])};
+        const MeanSlip<double> mean = peer.pressure_->mean_slip(peer.body_, slip, v[5], arm);
+        const double a = peer.scene_.floor_deceleration();
+        d[2] -= a * mean.direction.x;
+        d[3] -= a * mean.direction.y;
+        d[4] = v[5];
+        d[5] = -a * mean.moment / peer.body_.inertia;
         return 0;
     }
     static int gaps(double, N_Vector y, double* gap, void* self) {
@@ -96,6 +113,8 @@ private:
     }
 
     Scene<double> scene_;
+    Body<double> body_;
+    std::optional<UniformPressure> pressure_;
     SUNContext context_ = nullptr;
     N_Vector y_ = nullptr;
     SUNNonlinearSolver solver_ = nullptr;

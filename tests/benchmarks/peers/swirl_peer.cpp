@@ -1,6 +1,7 @@
 // Swirl's own maps: exact in double and quad, and the searches of map/baselines.
 #include "map/baselines/baseline_map.hpp"
 #include "map/batch/orbit_batch.hpp"
+#include "map/dry/dry_map.hpp"
 #include "map/numbers/quad.hpp"
 #include "peer.hpp"
 
@@ -108,6 +109,10 @@ std::unique_ptr<Peer> peer_of(const Map& map) {
 }  // namespace
 
 std::unique_ptr<Peer> make_swirl_peer(const std::string& name, const Scene<double>& scene) {
+    if (scene.has_dry_floor()) {
+        if (name != "double") return nullptr;
+        return with_dry_map(scene, [](const auto& map) { return peer_of(map); });
+    }
     if (name == "quad") {
         // The scene's numbers are the doubles' values: what differs is the arithmetic alone.
         const Scene<Quad> wide{scene.sides,       scene.alpha, scene.beta,          scene.mu,

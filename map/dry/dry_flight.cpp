@@ -7,10 +7,6 @@ namespace swirl {
 
 namespace {
 
-constexpr double least_step = 0x1p-44;
-/// A body that stops within such a time, and moves by less than 10⁻²⁰ in it, or that slides by rounding, has stopped.
-constexpr double time_left_at_stop = 0x1p-36;
-
 struct Slip {
     double sliding, spinning;  ///< |U|, α|S|
     Vec2<double> velocity;     ///< U
@@ -35,7 +31,6 @@ DryCourse::DryCourse(const DryFlight<double>& flight) : flight_(flight), station
     sliding_change_ = (flight.is_dish ? start.beta : 0) + flight.deceleration;
     spinning_change_ =
         flight.deceleration * flight.pressure->distance() * body.alpha * body.alpha * body.inverse_inertia;
-    border_turns_ = body.sides == disk_sides ? 0 : 1;
     has_stopped_ = is_held(station_);
 }
 
@@ -43,9 +38,7 @@ bool DryCourse::is_held(const Station<double>& station) const {
     if (flight_.is_dish && flight_.start.beta > flight_.deceleration) return false;
     const Slip slip = slip_of(flight_, station);
     const double rounding = 64 * epsilon<double>() * speed_scale_;
-    const double a = flight_.deceleration;
-    // By what is left it moves by |U|²/2a and turns by at most S times the time that is left.
-    const double sliding = std::min(time_left_at_stop * a, std::sqrt(2e-20 * a));
+    const double sliding = speed_left_at_stop(flight_.deceleration);
     const double spinning = time_left_at_stop * spinning_change_;
     return slip.sliding <= std::max(rounding, sliding) && slip.spinning <= std::max(rounding, spinning);
 }
@@ -54,38 +47,31 @@ bool DryCourse::is_held(const Station<double>& station) const {
 /// border turns with it.
 double DryCourse::longest() const {
     const Slip slip = slip_of(flight_, station_);
-    const double change = sliding_change_ + spinning_change_;
-    const double to_stop = std::max(least_step, 0.5 * (slip.sliding + slip.spinning) / change);
+    double change = sliding_change_ + spinning_change_;
+    const double to_stop = std::max(detail::shortest_step, 0.5 * (slip.sliding + slip.spinning) / change);
     const Body<double>& body = *flight_.body;
     Vec2<double> arm{body.alpha, 0};
-    if (body.sides != disk_sides)
+    if (body.sides != disk_sides) {
         arm = turned(flight_.start.arm, cis_minus_one(flight_.start.spin * station_.time + station_.y[4]));
-    const double to_border = flight_.pressure->step_to_border(
-        body, slip.velocity, slip.spin, arm, change + border_turns_ * std::fabs(slip.spin) * slip.sliding);
+        change += std::fabs(slip.spin) * slip.sliding;
+    }
+    const double to_border = flight_.pressure->step_to_border(body, slip.velocity, slip.spin, arm, change);
     return std::min({to_stop, to_border, longest_step});
 }
 
 void DryCourse::advance() {
     const auto rate = [this](double t, const Slowing<double>& y) { return detail::slowing_rate(flight_, t, y); };
     const Flight<double>& start = flight_.start;
-    double h = std::min(proposed_, longest());
-    while (true) {  // ends: the shortest step is taken whatever its error
-        const auto tried = detail::runge_kutta_step(rate, station_.time, station_.y, station_.rate, h);
-        const double slide = tolerance * (1 + std::hypot(start.velocity.x, start.velocity.y));
-        const double spin = tolerance * (1 + std::fabs(start.spin));
-        const double error = detail::error_of<double, 6>(tried, h, {slide, slide, slide, slide, spin, spin});
-        const double factor = error > 0 ? 0.9 * std::pow(error, -0.125) : 6.0;
-        if (error <= 1 || h <= least_step) {
-            before_ = station_;
-            step_ = h;
-            station_.time += h;
-            station_.y = tried.place;
-            station_.rate = rate(station_.time, station_.y);
-            proposed_ = h * std::clamp(factor, 0.333, 6.0);
-            break;
-        }
-        h = std::max(least_step, h * std::clamp(factor, 0.1, 0.9));
-    }
+    const double slide = tolerance * (1 + std::hypot(start.velocity.x, start.velocity.y));
+    const double spin = tolerance * (1 + std::fabs(start.spin));
+    const auto taken = detail::step_within<6>({slide, slide, slide, slide, spin, spin}, rate, station_.time, station_.y,
+                                              station_.rate, std::min(proposed_, longest()));
+    before_ = station_;
+    step_ = taken.length;
+    proposed_ = taken.proposed;
+    station_.time += step_;
+    station_.y = taken.place;
+    station_.rate = rate(station_.time, station_.y);
     has_stopped_ = is_held(station_);
 }
 

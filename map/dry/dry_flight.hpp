@@ -9,6 +9,7 @@
 #include "map/dry/uniform_pressure.hpp"
 #include "map/model/flight.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -125,6 +126,14 @@ Slowing<T> slowing_after(const DryFlight<T>& flight, const Station<T>& station, 
     return detail::runge_kutta_step(rate, station.time, station.y, station.rate, h).place;
 }
 
+/// A body that stops within such a time, in 1/ω_s, and moves by less than 10⁻²⁰ in it has stopped.
+inline constexpr double time_left_at_stop = 0x1p-36;
+
+/// |U| with which it does: it moves by |U|²/2a, and turns by at most S times the time that is left.
+inline double speed_left_at_stop(double deceleration) {
+    return std::min(time_left_at_stop * deceleration, std::sqrt(2e-20 * deceleration));
+}
+
 /// The steps by which a flight is integrated in double, one after the other: what they are depends on its start alone.
 class DryCourse {
 public:
@@ -157,7 +166,6 @@ private:
     double speed_scale_ = 0;      ///< of which U and αS are differences
     double sliding_change_ = 0;   ///< |U|′ at most
     double spinning_change_ = 0;  ///< α|S|′ at most
-    double border_turns_ = 0;     ///< 1 of a polygon, whose border is no circle
     bool has_stopped_ = false;
 };
 

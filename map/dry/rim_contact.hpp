@@ -14,7 +14,7 @@ namespace swirl {
 /// would have gone on, below 10⁻¹⁵.
 template <class T>
 ContactState<T> landing_on_rim(const RimScene<T>& scene, const PostImpactState<T>& post_impact) {
-    using std::abs, std::atan2;
+    using std::atan2;
     const ContactKinematics<T> u = contact_kinematics(*scene.body, post_impact);
     const double rounding = 64 * epsilon<double>() *
                             (std::fabs(plain(post_impact.vn)) + std::fabs(plain(post_impact.vt)) +

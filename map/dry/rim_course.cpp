@@ -1,5 +1,7 @@
 #include "map/dry/rim_course.hpp"
 
+#include "map/dry/dry_flight.hpp"
+
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 
@@ -11,7 +13,6 @@ namespace swirl {
 
 namespace {
 
-constexpr double least_step = 0x1p-44;
 constexpr double tolerance_of_step = 1e-14;
 /// αS below it is none: far below what a step is known to.
 constexpr double least_spin = 1e-18;
@@ -52,7 +53,8 @@ double RimCourse::longest() const {
     const double slip = std::hypot(across, along) + body.alpha * std::fabs(z.spin);
     const double change = std::fabs(station_.rate[1]) + 2 * body.alpha * std::fabs(station_.rate[2]) +
                           (scene_.is_dish ? 0 : body.beta) + stiff_;  // of a table as the wall turns
-    const double to_stop = slip < longest_step * change ? std::max(least_step, 0.5 * slip / change) : longest_step;
+    const double to_stop =
+        slip < longest_step * change ? std::max(detail::shortest_step, 0.5 * slip / change) : longest_step;
     // How |U| − α|S| changes now, and how much more until it would be 0 at jerks of the scale of accelerations.
     const double turning = station_.rate[0], spin_rate = body.alpha * station_.rate[2];
     const double along_rate =
@@ -72,21 +74,13 @@ void RimCourse::advance(double most) {
     const double speed = 1 + std::fabs(station_.y[1]), spin = 1 + std::fabs(station_.y[2]);
     const RimPlace<double> tolerance{tolerance_of_step, tolerance_of_step * speed, tolerance_of_step * spin,
                                      tolerance_of_step * spin, tolerance_of_step * speed * speed};
-    double h = std::min({proposed_, longest(), most});
-    while (true) {  // ends: the shortest step is taken whatever its error
-        const auto tried = detail::runge_kutta_step(rate, station_.time, station_.y, station_.rate, h);
-        const double error = detail::error_of<double, 5>(tried, h, tolerance);
-        const double factor = error > 0 ? 0.9 * std::pow(error, -0.125) : 6.0;
-        if (error <= 1 || h <= least_step) {
-            before_ = station_;
-            step_ = h;
-            station_ = rim_station(scene_, motion_, before_.time + h, tried.place);
-            end_spin();
-            proposed_ = std::max(least_step, h * std::clamp(factor, 0.333, 6.0));
-            return;
-        }
-        h = std::max(least_step, h * std::clamp(factor, 0.1, 0.9));
-    }
+    const auto taken = detail::step_within<5>(tolerance, rate, station_.time, station_.y, station_.rate,
+                                              std::min({proposed_, longest(), most}));
+    before_ = station_;
+    step_ = taken.length;
+    proposed_ = std::max(detail::shortest_step, taken.proposed);
+    station_ = rim_station(scene_, motion_, before_.time + step_, taken.place);
+    end_spin();
 }
 
 /// Along a wall without friction the floor alone turns the disk, less and less.
@@ -175,11 +169,9 @@ std::optional<RimCourse::Failure> RimCourse::failure() const {
 bool RimCourse::has_stopped() const {
     if (!scene_.is_dish || motion_.rolls()) return false;
     const ContactState<double> z = contact_of(station_.y);
-    const double a = scene_.deceleration;
-    // What is left moves it by less than 10⁻²⁰.
-    const double slow = std::min(0x1p-36 * a, std::sqrt(2e-20 * a));
     const double speed = std::fabs(along_wall(scene_, z)) + scene_.body->alpha * std::fabs(z.spin);
-    return speed <= slow && station_.time > 0 && rest_on_rim(scene_, z.psi).reserve > 0;
+    return speed <= speed_left_at_stop(scene_.deceleration) && station_.time > 0 &&
+           rest_on_rim(scene_, z.psi).reserve > 0;
 }
 
 }  // namespace swirl

@@ -4,6 +4,7 @@
 #include "map/dry/dop853_coefficients.hpp"
 #include "map/numbers/real.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +67,30 @@ double error_of(const RungeKuttaStep<T, n>& step, double h, const std::array<dou
     }
     const double weight = fifth + 0.01 * third;
     return weight > 0 ? std::fabs(h) * fifth / std::sqrt(weight * static_cast<double>(n)) : 0.0;
+}
+
+/// The shortest step, in 1/ω_s: it is taken whatever its error.
+inline constexpr double shortest_step = 0x1p-44;
+
+/// A step whose error is within the tolerances, or the shortest.
+template <std::size_t n>
+struct TakenStep {
+    std::array<double, n> place;
+    double length;    ///< what was tried, or less
+    double proposed;  ///< the length that its error lets the next one have
+};
+
+/// As `runge_kutta_step` from a step that is tried first.
+template <std::size_t n, class Rate>
+TakenStep<n> step_within(const std::array<double, n>& tolerance, const Rate& rate, double time,
+                         const std::array<double, n>& place, const std::array<double, n>& first, double h) {
+    while (true) {  // ends: h falls to the shortest step
+        const auto tried = runge_kutta_step(rate, time, place, first, h);
+        const double error = error_of<double, n>(tried, h, tolerance);
+        const double factor = error > 0 ? 0.9 * std::pow(error, -0.125) : 6.0;
+        if (error <= 1 || h <= shortest_step) return {tried.place, h, h * std::clamp(factor, 0.333, 6.0)};
+        h = std::max(shortest_step, h * std::clamp(factor, 0.1, 0.9));
+    }
 }
 
 }  // namespace swirl::detail

@@ -17,8 +17,7 @@ namespace detail {
 
 template <class J, ImpactRule rule>
 PostImpactState<J> return_over_dry_floor(const ReturnMap<DryMap<double, Shape::disk, rule>>& map, const Scene<J>& scene,
-                                         const PostImpactState<double>& base, const PostImpactState<J>& near,
-                                         const ReturnStep<double>& known) {
+                                         const PostImpactState<J>& near, const ReturnStep<double>& known) {
     using InTime = ContactJet<1>;
     const auto& plain = map.map();
     const DryMap<J, Shape::disk, rule> jets(scene, nullptr, plain.pressure());
@@ -28,10 +27,9 @@ PostImpactState<J> return_over_dry_floor(const ReturnMap<DryMap<double, Shape::d
     const RimScene<InTime> rim_in_time = in_time.rim();
     const ContactState<J> end =
         rim_along<J>({rim, rim_in_jets, rim_in_time}, known.contacts, landing_on_rim(rim_in_jets, near));
-    const ContactState<double> last = known.contacts.empty() ? landing_on_rim(rim, base) : known.contacts.back().to;
-    const double in_contact = known.contacts.empty() ? 0 : known.contacts.back().end;
-    return strike_along_course(plain, jets, leaving_rim(rim, last), leaving_rim(rim_in_jets, end),
-                               known.collision.flight_time - in_contact, 0)
+    const ContactSegment& last = known.contacts.back();
+    return strike_along_course(plain, jets, leaving_rim(rim, last.to), leaving_rim(rim_in_jets, end),
+                               known.collision.flight_time - last.end, 0)
         .after;
 }
 
@@ -52,7 +50,7 @@ auto derivative_through_contact(const ReturnMap<DryMap<double, Shape::disk, rule
     if (std::any_of(known.contacts.begin(), known.contacts.end(), rests_on_rim)) return Derivative(Derivative::Zero());
     const PostImpactState<double> base = post_impact_state(z);
     const auto next = coordinates<Shape::disk>(section_point(
-        detail::return_over_dry_floor(map, scene_in<J>(map.map().scene()), base, seeded<J, Shape::disk>(base), known)));
+        detail::return_over_dry_floor(map, scene_in<J>(map.map().scene()), seeded<J, Shape::disk>(base), known)));
     Derivative derivative;
     for (int i = 0; i < dimension; ++i) derivative.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
     const double speed = map.map().scene().beta + speed_of(map.map().body(), z.vn, z.vt, z.spin);
@@ -69,7 +67,7 @@ auto derivative_along_contact(const ReturnMap<DryMap<double, Shape::disk, rule>>
     Scene<J> along = scene_in<J>(map.map().scene());
     number_of(along, parameter).v[0] = 1;
     const auto next = coordinates<Shape::disk>(
-        section_point(detail::return_over_dry_floor(map, along, base, state_in_jets<J>(base), known)));
+        section_point(detail::return_over_dry_floor(map, along, state_in_jets<J>(base), known)));
     Eigen::Matrix<double, dimension, 1> column;
     for (int i = 0; i < dimension; ++i) column[i] = next[static_cast<std::size_t>(i)].v[0];
     return column;

@@ -6,6 +6,7 @@
 #include "map/orbit/dry_return_derivative.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/orbit/trajectory_segment.hpp"
+#include "tests/map/dry_scene.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
@@ -39,16 +40,8 @@ struct Disk {
 };
 
 Scene<double> disk_over(double deceleration, Floor floor = Floor::dish) {
-    Scene<double> scene;
-    scene.sides = disk_sides;
-    scene.alpha = 0.4;
-    scene.beta = 0.5;
-    scene.mu = 0.5;
+    Scene<double> scene = tests::scene_over_dry_floor(deceleration, disk_sides, floor);
     scene.restitution = 0.5;
-    scene.inertia_factor = 0.5;
-    scene.floor_friction = deceleration;
-    scene.gravity_ratio = 1;
-    scene.floor = floor;
     return scene;
 }
 

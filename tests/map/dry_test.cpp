@@ -5,6 +5,7 @@
 #include "map/orbit/dry_return.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "map/orbit/orbit.hpp"
+#include "tests/map/dry_scene.hpp"
 #include "tests/map/reference_error.hpp"
 #include "tests/references/references.hpp"
 
@@ -30,17 +31,7 @@ using nlohmann::json;
 using tests::number;
 
 Scene<double> scene_over(double friction, int sides, Floor floor = Floor::dish) {
-    Scene<double> scene;
-    scene.sides = sides;
-    scene.alpha = 0.4;
-    scene.beta = 0.5;
-    scene.mu = 0.5;
-    scene.restitution = 0.9;
-    scene.inertia_factor = uniform_inertia_factor<double>(sides);
-    scene.floor_friction = friction;
-    scene.gravity_ratio = 1;
-    scene.floor = floor;
-    return scene;
+    return tests::scene_over_dry_floor(friction, sides, floor);
 }
 
 MeanSlip<double> mean_of(int sides, const Vec2<double>& velocity, double spin, double angle = 0.3) {

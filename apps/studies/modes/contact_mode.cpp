@@ -1,5 +1,7 @@
 #include "apps/studies/modes/contact_mode.hpp"
 
+#include "map/orbit/dry_path.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -51,22 +53,12 @@ void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::
 
 }  // namespace
 
-DryFloorUnderRim::DryFloorUnderRim(const Scene<double>& scene)
-    : body_(make_body(scene)),
-      pressure_(scene.sides),
-      rim_{&body_, scene.mu, &pressure_, scene.floor_deceleration(), scene.floor == Floor::dish} {}
-
-double DryFloorUnderRim::friction(ContactMotion motion, const ContactState<double>& state) const {
-    return rim_forces(rim_, rim_motion_at(rim_, motion, state), state).friction;
-}
-
 ContactTail::ContactTail(const Scene<double>& scene, const ContactScene<double>& contact, double followed)
-    : scene_(contact),
-      dry_floor_(scene.has_dry_floor() ? std::make_shared<const DryFloorUnderRim>(scene) : nullptr),
-      followed_(followed) {}
+    : scene_(contact), over_dry_floor_(dry_paths(scene).contact), followed_(followed) {}
 
 double ContactTail::friction(Support support, ContactMotion motion, const ContactState<double>& state) const {
-    return dry_floor_ ? dry_floor_->friction(motion, state) : reaction_of(scene_, support, motion, state).friction;
+    return over_dry_floor_ ? over_dry_floor_(motion, state, 0).friction
+                           : reaction_of(scene_, support, motion, state).friction;
 }
 
 void ContactTail::add(const ContactSums<double>& sums, Support support, ContactMotion motion,
@@ -83,7 +75,7 @@ void ContactTail::add(const ContactSums<double>& sums, Support support, ContactM
     }
     last_time_ = sums.time;
     last_loss_ = loss;
-    if (!slips && support == Support::rim && !scene_.floor.drags && !dry_floor_) note_rolling(share, state);
+    if (!slips && support == Support::rim && !scene_.floor.drags && !over_dry_floor_) note_rolling(share, state);
     if (sums.time < 0.5 * followed_) return;
     samples_.push_back({sums.time, state.psi, normal_rate(scene_, support, state) - 1, state.spin, sums.turned});
     on_edge_ = on_edge_ && support == Support::edge;
@@ -147,7 +139,7 @@ bool ContactTail::judge_over_floor(const analysis::Swing& swing, analysis::Class
 }
 
 bool ContactTail::judge_rest(analysis::Classification& verdict) const {
-    const bool rests = dry_floor_ && !samples_.empty() &&
+    const bool rests = over_dry_floor_ && !samples_.empty() &&
                        std::all_of(samples_.begin(), samples_.end(), [](const analysis::SwingSample& sample) {
                            return sample.rotation == 0 && sample.rate == -1;
                        });

@@ -4,11 +4,10 @@
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/swing.hpp"
 #include "map/contact/rim_pendulum.hpp"
-#include "map/dry/rim_motion.hpp"
+#include "map/orbit/bent_flight.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,22 +15,6 @@ namespace swirl::studies {
 
 /// S that stays within this is constant: a body at rest in the co-rotating frame, or one that nothing turns.
 constexpr double rest_of_spin = 1e-7;
-
-/// A floor with dry friction under a disk on the wall.
-class DryFloorUnderRim {
-public:
-    explicit DryFloorUnderRim(const Scene<double>& scene);
-    DryFloorUnderRim(const DryFloorUnderRim&) = delete;
-    DryFloorUnderRim& operator=(const DryFloorUnderRim&) = delete;
-
-    /// f, along t.
-    double friction(ContactMotion motion, const ContactState<double>& state) const;
-
-private:
-    Body<double> body_;
-    UniformPressure pressure_;
-    RimScene<double> rim_;  ///< refers to both
-};
 
 /// What was seen of a contact that lasts: the second half of the time that it was followed.
 class ContactTail {
@@ -65,7 +48,7 @@ private:
                   analysis::Classification& verdict) const;
 
     ContactScene<double> scene_;
-    std::shared_ptr<const DryFloorUnderRim> dry_floor_;  ///< if it has one
+    BendContact over_dry_floor_;  ///< empty without one
     double followed_;
     std::vector<analysis::SwingSample> samples_;
     double last_time_ = 0;

@@ -4,13 +4,17 @@
 #include "analysis/classification/returns.hpp"
 #include "analysis/classification/series_exponent.hpp"
 #include "analysis/classification/surrogates.hpp"
+#include "analysis/special_values.hpp"
 #include "analysis/spectrum/lines.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -141,6 +145,41 @@ Evidence prediction_evidence(const SurrogateTest& surrogates, bool deterministic
                           : "below " + least + ": deterministic, chaotic if neighbours part at one rate"};
 }
 
+/// How the mean frequency of a smooth series goes from part to part of it.
+struct FrequencyDrift {
+    double ratio = 2;   ///< von Neumann's: Σ (ω_{k+1} − ω_k)²/Σ (ω_k − mean)², 2 where parts are independent
+    double change = 1;  ///< the largest ω_k over the smallest
+    bool is_slow() const { return ratio < slow_drift && change > 1.3; }
+    static constexpr double slow_drift = 0.3;  // of 16 independent parts five times in a million
+};
+
+/// ω_k by 2(1 − cos ω) = Σ(Δx)²/Σ(x − mean)², exact of a tone. Of a series with less than six samples a cycle, or four
+/// cycles a part, it tells nothing.
+FrequencyDrift frequency_drift(std::span<const double> x) {
+    constexpr std::size_t parts = 16;
+    constexpr double fewest_cycles = 4, least_samples = 6;
+    const auto frequency_of = [](std::span<const double> part) {
+        const double mean = gsl_stats_mean(part.data(), 1, part.size());
+        double steps = 0, squares = 0;
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            squares += (part[i] - mean) * (part[i] - mean);
+            if (i > 0) steps += (part[i] - part[i - 1]) * (part[i] - part[i - 1]);
+        }
+        return squares > 0 ? std::acos(std::clamp(1 - 0.5 * steps / squares, -1.0, 1.0)) : 0.0;
+    };
+    const std::size_t length = x.size() / parts;
+    const double turn = 2 * std::numbers::pi, whole = frequency_of(x);
+    if (whole > turn / least_samples || whole * static_cast<double>(length) < fewest_cycles * turn) return {};
+    std::array<double, parts> frequencies{};
+    for (std::size_t k = 0; k < parts; ++k) frequencies[k] = frequency_of(x.subspan(k * length, length));
+    const auto [low, high] = std::minmax_element(frequencies.begin(), frequencies.end());
+    double differences = 0;
+    for (std::size_t k = 1; k < parts; ++k) differences += std::pow(frequencies[k] - frequencies[k - 1], 2);
+    const double squares = gsl_stats_tss(frequencies.data(), 1, parts);
+    if (!(*low > 0) || !(squares > 0)) return {};
+    return {differences / squares, *high / *low};
+}
+
 /// What speaks against chaos is said last.
 void name_irregular(std::span<const double> x, bool sampled_flow, Classification& result) {
     const SurrogateTest surrogates = test_surrogates(x);
@@ -162,6 +201,14 @@ void name_irregular(std::span<const double> x, bool sampled_flow, Classification
         result.largest_exponent_error = found.error;
     }
     if (!deterministic) return;
+    if (const FrequencyDrift drift = frequency_drift(x); drift.is_slow()) {
+        result.evidence.push_back({"steps of the mean frequency from part to part, over its scatter", drift.ratio,
+                                   FrequencyDrift::slow_drift,
+                                   "the frequency changes slowly all along, as that of a tone which is swept",
+                                   "at or above " + in_words(FrequencyDrift::slow_drift) + ": chaotic"});
+        result.largest_exponent = result.largest_exponent_error = nan;
+        return;
+    }
     result.mode = Mode::chaotic;
     result.kind = Kind::chaotic;
 }

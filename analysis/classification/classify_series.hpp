@@ -14,7 +14,8 @@
 //   4. Is it deterministic and does it diverge? It is predicted better than all of its surrogates (surrogates.hpp): 39
 //      with its linear correlations and its distribution, and, where its values come again and again, as many with its
 //      transitions and its times of stay. And nearest neighbours part at one rate in two of three embedding dimensions
-//      (series_exponent.hpp), above two of its errors, and typical ones do, not a few that jump. Both: chaotic.
+//      (series_exponent.hpp), above two of its errors, and typical ones do, not a few that jump. Both: chaotic, unless
+//      the mean frequency of a smooth series changes slowly all along (a tone that is swept): undecided.
 #pragma once
 
 #include "analysis/classification/classify.hpp"

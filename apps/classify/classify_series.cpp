@@ -7,6 +7,7 @@
 #include "apps/command_line/record_files.hpp"
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/angle_stretch.hpp"
+#include "apps/input/column_names.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -289,6 +290,12 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
     SeriesVerdict v;
     v.whole = input.record.empty() ? source.measured()
                                    : source.part_asked_for(read_series_record(input.record), input.record);
+    if (!input.series.file.empty() && input.series.column.empty() && v.whole.quantity == as_measured &&
+        names_angle(v.whole.column))
+        throw BadInput(
+            fmt::format("series '{}': column {} is an angle by its name, and S is its rate: --angle {} "
+                        "takes that (of degrees with --degrees), --column {} the values as they stand",
+                        input.series.file, v.whole.column, in_one_word(v.whole.column), in_one_word(v.whole.column)));
     warn_without_checksum(input.record, output.quiet);
     v.options.noise = input.noise * (input.series.degrees ? pi<double>() / 180 : 1);
     if (!(v.options.noise >= 0 && std::isfinite(v.options.noise)))

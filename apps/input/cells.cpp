@@ -47,6 +47,23 @@ std::optional<std::int64_t> days_in(std::string_view& text) {
     return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
+constexpr std::string_view minus_sign = "\xE2\x88\x92";  // U+2212, of spreadsheets
+
+/// Beside decimal commas points part thousands: 1.234.567,5.
+bool has_thousands(std::string_view cell) {
+    if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+    const std::string_view whole = cell.substr(0, cell.find(','));
+    const auto are_digits = [](std::string_view text) {
+        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    if (whole.size() < cell.size() && !are_digits(cell.substr(whole.size() + 1))) return false;
+    const std::size_t first = std::min(whole.find('.'), whole.size());
+    if (first > 3 || !are_digits(whole.substr(0, first)) || whole.front() == '0') return false;
+    for (std::size_t point = first; point < whole.size(); point += 4)
+        if (whole[point] != '.' || whole.size() < point + 4 || !are_digits(whole.substr(point + 1, 3))) return false;
+    return true;
+}
+
 /// "+01:00", "-0530", "Z" or nothing, in seconds.
 std::optional<std::int64_t> offset_in(std::string_view text) {
     if (text.empty() || text == "Z" || text == "z") return 0;
@@ -150,6 +167,14 @@ bool is_missing(std::string_view cell) {
 
 std::optional<double> number_in(std::string_view cell, char decimal) {
     if (cell.empty()) return std::nullopt;
+    if (cell.substr(0, minus_sign.size()) == minus_sign)
+        return number_in("-" + std::string(cell.substr(minus_sign.size())), decimal);
+    if (decimal == ',' && cell.find('.') != std::string_view::npos) {
+        if (!has_thousands(cell)) return std::nullopt;
+        std::string text(cell);
+        text.erase(std::remove(text.begin(), text.end(), '.'), text.end());
+        return number_in(text, decimal);
+    }
     if (decimal == ',' && has_decimal_comma(cell)) {
         std::string text(cell);
         text[text.find(',')] = '.';

@@ -23,7 +23,8 @@ void split_cells(std::string_view line, char separator, std::vector<std::string_
 /// Empty, or a word by which programs say that there is no value: nan, NA, null, inf (TRex, MATLAB), #N/A, …
 bool is_missing(std::string_view cell);
 
-/// A plain decimal, with the point or the comma that `decimal` is; no hexadecimal, infinity or nan.
+/// A plain decimal, with the point or the comma that `decimal` is, beside which points part thousands; no hexadecimal,
+/// infinity or nan.
 std::optional<double> number_in(std::string_view cell, char decimal = '.');
 
 /// A number as `0,25` or `-1,5E-3`, with one comma and no point.

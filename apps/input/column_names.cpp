@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <numbers>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -89,6 +90,12 @@ std::optional<std::size_t> likelihood_of(const DelimitedFile& file, const std::s
 
 }  // namespace
 
+std::string without_brackets(std::string unit) {
+    for (const char bracket : {'(', ')', '[', ']'})
+        unit.erase(std::remove(unit.begin(), unit.end(), bracket), unit.end());
+    return unit;
+}
+
 bool names_time(const std::string& name) {
     std::string lower = name;
     std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -103,7 +110,7 @@ bool may_name_time(const std::string& name) {
     static constexpr std::array whole = {"seconds",    "sec",      "secs",  "milliseconds", "timestamp",
                                          "timestamps", "datetime", "date",  "age",          "ages",
                                          "elapsed",    "clock",    "timems"};
-    static constexpr std::array last = {"t", "time", "timestamp", "seconds", "sec"};
+    static constexpr std::array last = {"t", "time", "timestamp", "seconds", "sec", "msec"};
     if (is_one_of(joined_words(name), whole)) return true;
     const auto words = words_of(name);
     return words.size() > 1 && is_one_of(words.back().lower, last);
@@ -141,6 +148,64 @@ bool names_degrees(const std::string& unit) {
     return unit.find("deg") != std::string::npos || unit.find("\xC2\xB0") != std::string::npos;
 }
 
+std::optional<double> radians_in(const std::string& unit) {
+    constexpr double turn = 2 * std::numbers::pi;
+    static constexpr std::array<std::pair<const char*, double>, 15> units = {{{"rad", 1},
+                                                                              {"radian", 1},
+                                                                              {"radians", 1},
+                                                                              {"mrad", 1e-3},
+                                                                              {"deg", turn / 360},
+                                                                              {"degree", turn / 360},
+                                                                              {"degrees", turn / 360},
+                                                                              {"\xC2\xB0", turn / 360},
+                                                                              {"turn", turn},
+                                                                              {"turns", turn},
+                                                                              {"rev", turn},
+                                                                              {"revs", turn},
+                                                                              {"gon", turn / 400},
+                                                                              {"grad", turn / 400},
+                                                                              {"cycles", turn}}};
+    const std::string bare = without_brackets(unit);
+    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& entry) { return bare == entry.first; });
+    return found == units.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> turning_rate_in(const std::string& unit) {
+    constexpr double turn = 2 * std::numbers::pi, degree = turn / 360;
+    static constexpr std::array<std::pair<const char*, double>, 7> angles = {{{"rad", 1},
+                                                                              {"radians", 1},
+                                                                              {"deg", degree},
+                                                                              {"degrees", degree},
+                                                                              {"\xC2\xB0", degree},
+                                                                              {"rev", turn},
+                                                                              {"turns", turn}}};
+    static constexpr std::array per_second = {"s", "sec", "second", "s1", "pers", "persec", "persecond"};
+    const auto words = words_of(without_brackets(unit));
+    if (words.empty()) return std::nullopt;
+    if (words.size() == 1 && words[0].lower == "rpm") return turn / 60;
+    std::string per;
+    for (std::size_t k = 1; k < words.size(); ++k) per += words[k].lower;
+    const auto angle =
+        std::find_if(angles.begin(), angles.end(), [&](const auto& entry) { return words[0].lower == entry.first; });
+    if (angle == angles.end()) return std::nullopt;
+    if (angle->first == std::string_view("rev") && (per == "min" || per == "permin")) return turn / 60;
+    return is_one_of(per, per_second) ? std::optional(angle->second) : std::nullopt;
+}
+
+std::optional<double> turning_rate_of(const DelimitedFile& file, std::size_t column) {
+    if (!file.layout.units.empty())
+        if (const auto rate = turning_rate_in(file.layout.units[column])) return rate;
+    if (file.header.empty()) return std::nullopt;
+    constexpr std::size_t longest = 3;  // words: "rad per s"
+    const auto words = words_of(file.header[column]);
+    std::string end;
+    for (std::size_t k = words.size(); k > 0 && k + longest > words.size(); --k) {
+        end = words[k - 1].lower + " " + end;
+        if (const auto rate = turning_rate_in(end)) return rate;
+    }
+    return std::nullopt;
+}
+
 bool names_likelihood(const std::string& name) {
     static constexpr std::array words = {"likelihood", "confidence", "score", "probability", "visibility"};
     return any_word(name, words);
@@ -155,22 +220,24 @@ bool names_no_value(const std::string& name) {
 }
 
 std::vector<PointColumns> points_in(const DelimitedFile& file) {
-    static constexpr std::array other = {"bbox", "min",    "max",     "err",      "error", "std", "var",
-                                         "v",    "a",      "vel",     "velocity", "speed", "acc", "ens",
-                                         "size", "offset", "midline", "region",   "width"};
+    static constexpr std::array other = {"bbox", "min",    "max",      "err",    "error", "std",
+                                         "var",  "vel",    "velocity", "speed",  "acc",   "ens",
+                                         "size", "offset", "midline",  "region", "width"};
+    static constexpr std::array rates = {"v", "a"};  // but "Xpos_A" is a place
     std::vector<PointColumns> points;
     for (std::size_t k = 0; k < file.header.size(); ++k) {
         const std::string& name = file.header[k];
         const auto words = words_of(name);
-        const auto is_x = [](const Word& word) { return word.lower == "x"; };
+        const auto is_x = [](const Word& word) { return word.lower == "x" || word.lower == "xpos"; };
         const auto x = std::find_if(words.begin(), words.end(), is_x);
         if (x == words.end() || std::count_if(words.begin(), words.end(), is_x) > 1 || any_word(name, other)) continue;
+        if (x->lower == "x" && any_word(name, rates)) continue;
         std::string partner = name, shared;
         partner[x->begin] = name[x->begin] == 'x' ? 'y' : 'Y';
         const auto y = std::find(file.header.begin(), file.header.end(), partner);
         if (y == file.header.end()) continue;
         for (const Word& word : words)
-            if (word.lower != "x") shared += (shared.empty() ? "" : ".") + word.lower;
+            if (!is_x(word)) shared += (shared.empty() ? "" : ".") + word.lower;
         points.push_back({shared, k, static_cast<std::size_t>(y - file.header.begin()),
                           likelihood_of(file, name.substr(0, x->begin))});
     }
@@ -178,24 +245,14 @@ std::vector<PointColumns> points_in(const DelimitedFile& file) {
 }
 
 std::optional<double> seconds_in(const std::string& unit) {
-    static constexpr std::array<std::pair<const char*, double>, 15> units = {{{"s", 1},
-                                                                              {"sec", 1},
-                                                                              {"secs", 1},
-                                                                              {"second", 1},
-                                                                              {"seconds", 1},
-                                                                              {"ms", 1e-3},
-                                                                              {"msec", 1e-3},
-                                                                              {"milliseconds", 1e-3},
-                                                                              {"us", 1e-6},
-                                                                              {"µs", 1e-6},
-                                                                              {"min", 60},
-                                                                              {"minutes", 60},
-                                                                              {"h", 3600},
-                                                                              {"hr", 3600},
-                                                                              {"hours", 3600}}};
-    std::string bare = unit;
-    for (const char bracket : {'(', ')', '[', ']'})
-        bare.erase(std::remove(bare.begin(), bare.end(), bracket), bare.end());
+    static constexpr std::array<std::pair<const char*, double>, 21> units = {
+        {{"s", 1},       {"ns", 1e-9},           {"nanoseconds", 1e-9}, {"microseconds", 1e-6},
+         {"usec", 1e-6}, {"millis", 1e-3},       {"minute", 60},        {"sec", 1},
+         {"secs", 1},    {"second", 1},          {"seconds", 1},        {"ms", 1e-3},
+         {"msec", 1e-3}, {"milliseconds", 1e-3}, {"us", 1e-6},          {"µs", 1e-6},
+         {"min", 60},    {"minutes", 60},        {"h", 3600},           {"hr", 3600},
+         {"hours", 3600}}};
+    const std::string bare = without_brackets(unit);
     const auto found = std::find_if(units.begin(), units.end(), [&](const auto& entry) { return bare == entry.first; });
     return found == units.end() ? std::nullopt : std::optional(found->second);
 }

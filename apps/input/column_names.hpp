@@ -34,6 +34,11 @@ bool names_no_value(const std::string& name);
 /// A unit of angles that is no radian: "deg", "degrees", "°".
 bool names_degrees(const std::string& unit);
 
+/// How many radians per second a unit of rates of turn is: "rad/s" is 1, "rpm" 2π/60; nothing of what is no such unit.
+std::optional<double> turning_rate_in(const std::string& unit);
+/// The same of a column, by its unit or the end of its name ("omega_rad_s", "spin_rpm").
+std::optional<double> turning_rate_of(const DelimitedFile& file, std::size_t column);
+
 /// Two columns that are the coordinates of one point.
 struct PointColumns {
     std::string name;  ///< what its two names share: "tip", "Arena0_Ind0"; "" of plain x and y
@@ -44,6 +49,12 @@ struct PointColumns {
 /// The pairs whose names differ in one word, x and y ("tip.x", "POSITION_X", "X (cm)", "x1", "X_Arena0_Ind0"), in the
 /// order of the file; no boxes, speeds or errors.
 std::vector<PointColumns> points_in(const DelimitedFile& file);
+
+/// How many radians a unit of angles is, in brackets or not: "deg", "turns", "gon", "mrad"; nothing of what is no such
+/// unit.
+std::optional<double> radians_in(const std::string& unit);
+
+std::string without_brackets(std::string unit);
 
 /// How many seconds a unit of time is: "ms" is 1e-3; nothing of what is no unit of time.
 std::optional<double> seconds_in(const std::string& unit);

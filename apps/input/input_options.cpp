@@ -114,11 +114,11 @@ Settings series_settings(const MeasuredSeries& s) {
                          {"spacing", s.spacing},
                          {"largest_step", s.largest_step},
                          {"largest_deviation", s.largest_deviation}};
-    if (s.quantity == spin_of_angle) {
+    if (s.quantity == spin_of_angle || s.quantity == spin_of_rate) {
         settings.emplace_back("swirl_rate", s.swirl_rate);
         settings.emplace_back("clockwise", s.clockwise);
-        settings.emplace_back("largest_turn", s.largest_turn);
     }
+    if (s.quantity == spin_of_angle) settings.emplace_back("largest_turn", s.largest_turn);
     settings.emplace_back("notes", s.notes);
     return settings;
 }

@@ -129,6 +129,17 @@ void note_pixels(const DelimitedFile& file, const SeriesChoice& choice, const Se
         fmt::format("column {} is likely to be of pixels, whose y points down: {}", column_name(file, x), what));
 }
 
+/// Places given as y and x, as their names say.
+void note_exchanged(const DelimitedFile& file, const SeriesColumns& columns, MeasuredSeries& series) {
+    for (std::size_t k = 0; k + 1 < columns.values.size(); k += 2)
+        for (const PointColumns& point : points_in(file))
+            if (point.x == columns.values[k + 1] && point.y == columns.values[k])
+                series.notes.push_back(
+                    fmt::format("columns {} and {} are taken as x and y, in this order: turns are seen "
+                                "the other way round",
+                                column_name(file, point.y), column_name(file, point.x)));
+}
+
 std::array<double, 2> origin_of(const SeriesChoice& choice, const Columns& points, MeasuredSeries& series) {
     if (choice.fits_origin) {
         const FittedCircle circle = fitted_circle(points[0], points[1]);
@@ -169,11 +180,17 @@ void require_one_body(const Columns& c, MeasuredSeries& series) {
 std::vector<double> angle_of_line(const Columns& c, double digit, MeasuredSeries& series) {
     std::vector<double> angle(c[0].size());
     double sum = 0, count = 0;
+    std::size_t at_one_place = 0;
     for (std::size_t i = 0; i < angle.size(); ++i) {
         const double x = c[2][i] - c[0][i], y = c[3][i] - c[1][i];
-        angle[i] = std::atan2(y, x);
+        const bool has_direction = x != 0 || y != 0;
+        angle[i] = has_direction ? std::atan2(y, x) : std::nan("");
+        if (!has_direction) ++at_one_place;
         if (!std::isnan(angle[i])) sum += std::hypot(x, y), ++count;
     }
+    if (at_one_place > 0)
+        series.notes.push_back(fmt::format("in {} row{} both points are at one place, and have no direction: gaps",
+                                           at_one_place, at_one_place == 1 ? "" : "s"));
     if (sum > 0) series.angle.resolution = 2 * std::sqrt(2.0) * digit * count / sum;
     return angle;
 }
@@ -222,6 +239,7 @@ std::vector<std::vector<double>> values_of_motion(const DelimitedFile& file, con
         require_not_too_large(file, values[k], column_name(file, columns.values[k]));
     mask(file, choice, columns, values, series);
     note_pixels(file, choice, columns, values, series);
+    note_exchanged(file, columns, series);
     const double digit = choice.is_angle() ? digit_of(values) : 0;
     if (!choice.marks.empty()) {
         require_one_body(values, series);
@@ -237,9 +255,11 @@ std::vector<std::vector<double>> values_of_motion(const DelimitedFile& file, con
         return {angle_of_line({zeros, zeros, values[0], values[1]}, digit, series)};
     }
     const bool is_mirrored = !choice.is_angle() && choice.position.empty() && choice.y_down;  // a column of spins
-    if (is_mirrored && !names_spin(column_name(file, columns.values[0])))
-        throw BadInput(fmt::format("y-down: it is of what turns: an angle, marks, or S; column {} is none of these",
-                                   series.column));
+    if (is_mirrored && !names_spin(column_name(file, columns.values[0])) && !turning_rate_of(file, columns.values[0]))
+        throw BadInput(
+            fmt::format("y-down: it is of what turns: an angle, marks, S, or a rate of turn; column {} is "
+                        "none of these",
+                        series.column));
     if (choice.scale != 1 || is_mirrored)
         for (auto& column : values)
             for (double& value : column) value *= is_mirrored ? -choice.scale : choice.scale;

@@ -5,6 +5,7 @@
 #include "apps/input/bodies.hpp"
 #include "apps/input/column_names.hpp"
 #include "apps/input/measured_motion.hpp"
+#include "apps/input/row_order.hpp"
 #include "apps/output/wrapped.hpp"
 #include "map/model/scene.hpp"
 
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace swirl::apps {
@@ -75,12 +77,21 @@ void describe(MeasuredSeries& series) {
     series.even = series.largest_deviation <= even_within || is_rounded_clock(series);
 }
 
+/// --swirl-rate was given.
+bool takes_swirl_rate(const SeriesChoice& choice) {
+    return choice.swirl_rate != 1 || choice.rate_unit != RateUnit::radians;
+}
+
 /// ω_s in radians per unit of the series' time.
 double swirl_rate_of(const SeriesChoice& choice, const SeriesColumns& columns) {
     const double rate = std::abs(choice.swirl_rate);
     if (choice.rate_unit == RateUnit::radians) return rate;
     if (!columns.seconds)
-        throw BadInput("swirl-rate: the times count frames, so that a rate in rpm, Hz or rad/s needs --fps F");
+        throw BadInput(
+            columns.in_frames
+                ? "swirl-rate: the times count frames, so that a rate in rpm, Hz or rad/s needs --fps F"
+                : "swirl-rate: the times' unit is none that is known (s, ms, us, ns, min, h), so that a rate "
+                  "is wanted in radians per unit of them, a number alone");
     const double turn = 2 * pi<double>();
     switch (choice.rate_unit) {
         case RateUnit::turns_a_minute:
@@ -90,6 +101,21 @@ double swirl_rate_of(const SeriesChoice& choice, const SeriesColumns& columns) {
         default:
             return rate * *columns.seconds;
     }
+}
+
+/// A column of rates of turn, over --swirl-rate.
+void make_spin_of_rate(const DelimitedFile& file, const SeriesChoice& choice, const SeriesColumns& columns,
+                       MeasuredSeries& series) {
+    series.quantity = spin_of_rate;
+    series.swirl_rate = swirl_rate_of(choice, columns);
+    if (!columns.seconds)
+        throw BadInput(
+            fmt::format("swirl-rate: column {} is a rate per second, and the times count frames: --fps F "
+                        "makes seconds of them",
+                        series.column));
+    const double per_time = *turning_rate_of(file, columns.values.front()) * *columns.seconds;
+    const double factor = (series.clockwise ? -per_time : per_time) / series.swirl_rate;
+    for (double& value : series.values) value *= factor;
 }
 
 /// Values, and of an angle their times, of the columns.
@@ -103,7 +129,7 @@ void take_values(const SeriesChoice& choice, double swirl_rate, std::vector<std:
             series.values[i] = std::hypot(series.values[i], columns[1][i]);
     } else if (choice.is_angle()) {
         series.quantity = spin_of_angle;
-        const double unit = choice.degrees ? pi<double>() / 180 : 1;
+        const double unit = series.angle_unit;
         const double sense = series.y_down == series.clockwise ? 1 : -1;
         if (!choice.angle.empty()) series.angle.resolution = decimal_resolution(series.values) * unit;
         for (double& angle : series.values) angle *= sense * unit;
@@ -198,7 +224,7 @@ int symmetry_seen(const std::vector<double>& values, double turn) {
 void note_symmetry(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
                    const std::vector<double>& values, MeasuredSeries& series) {
     if (choice.angle.empty() || choice.symmetry != 1) return;
-    const int sides = symmetry_seen(values, choice.degrees ? 360 : 2 * pi<double>());
+    const int sides = symmetry_seen(values, 2 * pi<double>() / series.angle_unit);
     if (sides == 0) return;
     series.notes.push_back(
         fmt::format("column {} stays within 1/{} of a turn and jumps by as much: if the tracker knows "
@@ -206,28 +232,107 @@ void note_symmetry(const DelimitedFile& file, const SeriesChoice& choice, std::s
                     column_name(file, column), sides, sides));
 }
 
+/// The values turn back at both ends of a quarter or half of a turn, again and again, and never jump: an acute angle,
+/// or an arc cosine.
+bool is_folded(const std::vector<double>& values, double turn) {
+    constexpr double margin = 0.01, at_end = 0.05, of_a_jump = 0.5;  // of the span
+    constexpr int fewest = 3;
+    const AngleSteps steps(values);
+    const double parts = turn / steps.span;
+    if (!(steps.span > 0) || steps.longer_than(of_a_jump * steps.span) > 0) return false;
+    if (std::abs(parts / 2 - 1) > margin && std::abs(parts / 4 - 1) > margin) return false;
+    double low = std::numeric_limits<double>::infinity();
+    for (const double value : values)
+        if (value < low) low = value;
+    int turned = 0, last = 0;  // from one end to the other
+    for (const double value : values) {
+        const double place = (value - low) / steps.span;
+        const int end = place < at_end ? -1 : place > 1 - at_end ? 1 : 0;
+        if (end != 0 && end != last) ++turned, last = end;
+    }
+    return turned > 2 * fewest;
+}
+
+void note_folded(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
+                 const std::vector<double>& values, MeasuredSeries& series) {
+    if (choice.angle.empty() || !is_folded(values, 2 * pi<double>() / series.angle_unit)) return;
+    series.notes.push_back(
+        fmt::format("column {} turns back at both ends of what it spans, again and again: of an acute "
+                    "angle or an arc cosine the sense of turns is lost",
+                    column_name(file, column)));
+}
+
+/// The unit that the column names, but of degrees, which --degrees says.
+double unit_of_angle(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
+                     MeasuredSeries& series) {
+    const std::string unit = choice.angle.empty() || file.layout.units.empty() ? "" : file.layout.units[column];
+    const std::optional<double> named = radians_in(unit);
+    const std::string name = column_name(file, column);
+    if (choice.degrees) {
+        if (named && !names_degrees(unit))
+            series.notes.push_back(
+                fmt::format("column {} is read in degrees, though its unit is {}: leave --degrees out", name,
+                            without_brackets(unit)));
+        return pi<double>() / 180;
+    }
+    if (!named || *named == 1 || names_degrees(unit)) return 1;
+    series.notes.push_back(fmt::format("column {} is read in {}, its unit", name, without_brackets(unit)));
+    return *named;
+}
+
 void note_degrees(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
                   const std::vector<double>& values, MeasuredSeries& series) {
     if (choice.angle.empty() || choice.degrees) return;
-    const bool is_named = !file.layout.units.empty() && names_degrees(file.layout.units[column]);
-    if (!is_named && !come_round_at_360(values)) return;
-    series.notes.push_back(fmt::format("column {} is read in radians, though its {} degrees: --degrees says so",
-                                       column_name(file, column),
-                                       is_named ? "unit is" : "values come round at 360 as do"));
+    const std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
+    if (radians_in(unit) && !names_degrees(unit)) return;
+    const std::string name = column_name(file, column);
+    if (const bool is_named = names_degrees(unit); is_named || come_round_at_360(values))
+        series.notes.push_back(fmt::format("column {} is read in radians, though its {} degrees: --degrees says so",
+                                           name, is_named ? "unit is" : "values come round at 360 as do"));
+    else if (const double span = AngleSteps(values).span; span > more_than_turn)
+        series.notes.push_back(
+            fmt::format("column {} is read in radians, over {:.3g} turns, and no unit is named: of "
+                        "degrees --degrees says so",
+                        name, span / (2 * pi<double>())));
+}
+
+/// A column whose name or unit says that its values are no S as they stand.
+void note_no_spin(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column, MeasuredSeries& series) {
+    if (choice.is_angle() || !choice.position.empty() || file.header.empty()) return;
+    const std::string name = column_name(file, column);
+    if (!file.layout.units.empty() && without_brackets(file.layout.units[column]) == "%" && choice.scale == 1)
+        series.notes.push_back(
+            fmt::format("column {} is in percent by its unit, and is read as it stands: --scale 0.01 "
+                        "makes a number of it",
+                        name));
+    if (turning_rate_of(file, column) && !takes_swirl_rate(choice))
+        series.notes.push_back(
+            fmt::format("column {} is a rate of turn by its unit, and is read as it stands: over "
+                        "--swirl-rate W it is S",
+                        name));
+    else if (names_angle(file.header[column]) && !turning_rate_of(file, column))
+        series.notes.push_back(
+            fmt::format("column {} is an angle by its name, and is read as it stands: --angle {} "
+                        "takes its rate, S",
+                        name, in_one_word(name)));
+}
+
+bool is_rate_of(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column) {
+    return !choice.is_angle() && choice.position.empty() && turning_rate_of(file, column).has_value();
 }
 
 /// The table of the file, of which --where leaves some rows.
 std::shared_ptr<const DelimitedFile> rows_asked_for(const SeriesChoice& choice, MeasuredSeries& series) {
     auto table = choice.read();
     series.notes = table->layout.notes;
-    if (choice.where.empty()) return table;
+    if (choice.where.empty()) return rows_in_order(table, choice, series.notes);
     auto part = std::make_shared<DelimitedFile>(*table);
     for (const std::string& text : choice.where) {
         const Condition condition = condition_from(*part, text);
         keep_rows(*part, condition);
         series.body += (series.body.empty() ? "" : ", ") + printable(condition.value);
     }
-    return part;
+    return rows_in_order(part, choice, series.notes);
 }
 
 LongSteps meaning_of_long_steps(const SeriesChoice& choice, bool in_frames) {
@@ -240,6 +345,10 @@ LongSteps meaning_of_long_steps(const SeriesChoice& choice, bool in_frames) {
 
 }  // namespace
 
+bool is_rate_column(const DelimitedFile& file, const SeriesChoice& choice) {
+    return is_rate_of(file, choice, columns_of(file, choice).values.front());
+}
+
 MeasuredSeries read_series(const SeriesChoice& choice) {
     choice.check();
     MeasuredSeries series;
@@ -250,10 +359,19 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
         series.column += (series.column.empty() ? "" : ", ") + column_name(file, k);
     series.notes.insert(series.notes.end(), columns.notes.begin(), columns.notes.end());
     series.y_down = choice.y_down;
-    series.clockwise = choice.is_angle() && choice.swirl_rate < 0;
+    const bool is_rate = takes_swirl_rate(choice) && is_rate_of(file, choice, columns.values.front());
+    if (takes_swirl_rate(choice) && !choice.is_angle() && !is_rate)
+        throw BadInput(
+            fmt::format("swirl-rate: it is of an angle (--angle COLUMN), or of a column whose unit is a "
+                        "rate of turn, as rad/s; column {} is neither",
+                        series.column));
+    series.clockwise = (choice.is_angle() || is_rate) && choice.swirl_rate < 0;
     std::vector<std::vector<double>> values = values_of_motion(file, choice, columns, series);
+    series.angle_unit = unit_of_angle(file, choice, columns.values.front(), series);
     note_degrees(file, choice, columns.values.front(), values.front(), series);
     note_symmetry(file, choice, columns.values.front(), values.front(), series);
+    note_folded(file, choice, columns.values.front(), values.front(), series);
+    note_no_spin(file, choice, columns.values.front(), series);
     series.times = std::move(columns.times);
     if (columns.time) {
         series.time = column_name(file, *columns.time);
@@ -269,6 +387,7 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
     cut_ends(series.times, values, series);
     fill_lost_rows(series.times, values, meaning_of_long_steps(choice, columns.in_frames));
     take_values(choice, choice.is_angle() ? swirl_rate_of(choice, columns) : 1, values, series);
+    if (is_rate) make_spin_of_rate(file, choice, columns, series);
     describe(series);
     note_slow_camera(series);
     return series;
@@ -312,7 +431,7 @@ std::string notes_in_lines(const MeasuredSeries& series) {
 }
 
 std::string series_in_words(const MeasuredSeries& series) {
-    const std::string quantity = series.is_motion() ? fmt::format(" ({})", series.quantity) : "";
+    const std::string quantity = series.quantity != as_measured ? fmt::format(" ({})", series.quantity) : "";
     const std::string gaps = series.gaps == 0 ? "no gaps"
                                               : fmt::format("{} gap{} ({} samples missing)", series.gaps,
                                                             series.gaps == 1 ? "" : "s", series.missing);

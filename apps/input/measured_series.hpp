@@ -15,6 +15,7 @@ namespace swirl::apps {
 /// What the values of a series are.
 inline constexpr const char* as_measured = "as measured";
 inline constexpr const char* spin_of_angle = "S of an angle";
+inline constexpr const char* spin_of_rate = "S of a rate";
 inline constexpr const char* distance_of_position = "distance of a position";
 
 /// A turn of more than so much of half a period, from row to row, may have been one the other way.
@@ -35,9 +36,10 @@ struct MeasuredSeries {
     std::size_t rows = 0;                   ///< of the file
     std::size_t missing = 0;                ///< samples that are NaN, rows that were lost among them
     std::size_t gaps = 0;                   ///< runs of them
-    std::string quantity;                   ///< one of the three below
+    std::string quantity;                   ///< one of the four above
+    double angle_unit = 1;                  ///< of an angle as the file has it, in radians
     MeasuredAngle angle;                    ///< of an angle: its rows, one more than `values` has
-    double swirl_rate = 1;                  ///< of an angle: ω_s, in radians per unit of time
+    double swirl_rate = 1;                  ///< of an angle or a rate: ω_s, in radians per unit of time
     double largest_turn = std::nan("");     ///< of an angle, see AngleRates
     std::string body;                       ///< the value of --where or --each; empty: all rows are of one
     std::array<double, 2> origin = {0, 0};  ///< of positions, in the units of the columns
@@ -60,6 +62,12 @@ struct MeasuredSeries {
 /// up to 3 % off (half a millisecond of their own and half of the ends'). At the Nyquist frequency 4 % is a phase of
 /// 0.13.
 inline constexpr double even_within = 0.04;
+
+/// The column that is analysed is a rate of turn by its unit ("omega (rad/s)"): over --swirl-rate it is S.
+bool is_rate_column(const DelimitedFile& file, const SeriesChoice& choice);
+
+/// An angle that spans more, in radians, is unwound, or not in radians.
+inline constexpr double more_than_turn = 7;
 
 /// Reads a series. Which columns: series_columns.hpp; what is made of them: measured_motion.hpp. A missing value is
 /// kept as NaN. Values are 0 or within a scene's bounds (10⁻⁷⁵ … 10⁷⁵), so that their fourth powers can be held;

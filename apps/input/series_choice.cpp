@@ -132,8 +132,7 @@ void SeriesChoice::set_swirl_rate(const std::string& text) {
 void SeriesChoice::check() const {
     if (!angle.empty() + !marks.empty() + !mark.empty() + !position.empty() + !column.empty() > 1)
         throw BadInput("--column, --angle, --marks, --mark and --position each say what is analysed; give one");
-    if (!is_angle() && (symmetry != 1 || swirl_rate != 1 || rate_unit != RateUnit::radians))
-        throw BadInput("--symmetry and --swirl-rate of a series are an angle's; --angle COLUMN is missing");
+    if (!is_angle() && symmetry != 1) throw BadInput("--symmetry of a series is an angle's; --angle COLUMN is missing");
     if (angle.empty() && degrees) throw BadInput("--degrees of a series is an angle's; --angle COLUMN is missing");
     require_holdable("swirl-rate", std::abs(swirl_rate));
     require_holdable("spacing", spacing);

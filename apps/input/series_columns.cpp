@@ -17,16 +17,6 @@ namespace swirl::apps {
 
 namespace {
 
-/// A column of numbers without gaps, or of times of the clock. The first rows tell most others apart.
-bool has_only_times(const DelimitedFile& file, std::size_t column) {
-    CellReader reader(file);
-    for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string_view cell = reader.at(row)[column];
-        if (!number_in(cell, file.layout.decimal) && !clock_time_in(cell)) return false;
-    }
-    return true;
-}
-
 /// Rises over all rows or, of several bodies, over those of each.
 bool may_be_time(const DelimitedFile& file, std::size_t column, bool whole) {
     if (!has_only_times(file, column)) return false;
@@ -111,7 +101,7 @@ void read_times(const DelimitedFile& file, const SeriesChoice& choice, SeriesCol
             columns.seconds = 1;
         } else if (!columns.in_frames) {
             const std::string unit = file.layout.units.empty() ? "" : file.layout.units[*columns.time];
-            columns.seconds = seconds_in(unit).value_or(1);
+            columns.seconds = without_brackets(unit).empty() ? std::optional(1.0) : seconds_in(unit);
         }
     }
     if (!choice.fps) return;
@@ -159,7 +149,32 @@ std::vector<std::size_t> values_for(const DelimitedFile& file, const SeriesChoic
     return found;
 }
 
+/// A column that is named as times or frames and was not taken, for it does not rise.
+void note_not_rising(const DelimitedFile& file, SeriesColumns& columns) {
+    if (columns.time) return;
+    for (std::size_t k = 0; k < file.header.size(); ++k) {
+        if (!(may_name_time(file.header[k]) || names_frame(file.header[k])) || !has_only_times(file, k)) continue;
+        const std::vector<double> times = times_of(file, k).values;
+        const auto [low, high] = std::minmax_element(times.begin(), times.end());
+        if (*low == *high) continue;
+        columns.notes.push_back(
+            fmt::format("column {} is named as times and does not rise: rows are counted, one {} "
+                        "apart",
+                        file.header[k], columns.in_frames ? "frame" : "unit of time"));
+        return;
+    }
+}
+
 }  // namespace
+
+bool has_only_times(const DelimitedFile& file, std::size_t column) {
+    CellReader reader(file);
+    for (std::size_t row = 0; row < file.rows.size(); ++row) {
+        const std::string_view cell = reader.at(row)[column];
+        if (!number_in(cell, file.layout.decimal) && !clock_time_in(cell)) return false;
+    }
+    return true;
+}
 
 std::vector<std::size_t> rising_columns(const DelimitedFile& file) {
     std::vector<std::size_t> rising;
@@ -182,6 +197,7 @@ SeriesColumns time_columns_of(const DelimitedFile& file, const SeriesChoice& cho
     SeriesColumns columns;
     choose_time(file, choice, columns);
     read_times(file, choice, columns);
+    if (choice.time.empty()) note_not_rising(file, columns);
     return columns;
 }
 

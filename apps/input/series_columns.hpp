@@ -34,6 +34,9 @@ SeriesColumns columns_of(const DelimitedFile& file, const SeriesChoice& choice);
 /// Times and what belongs to them, without values, of one body or of several.
 SeriesColumns time_columns_of(const DelimitedFile& file, const SeriesChoice& choice);
 
+/// A column of numbers without gaps, or of times of the clock.
+bool has_only_times(const DelimitedFile& file, std::size_t column);
+
 /// The columns whose values rise from row to row, of those that are numbers. O(cells), less where few rise.
 std::vector<std::size_t> rising_columns(const DelimitedFile& file);
 

@@ -16,8 +16,7 @@ namespace swirl::apps::inspect {
 
 namespace {
 
-constexpr double rigid = 0.05;        // of the mean distance: its standard deviation
-constexpr double more_than_turn = 7;  // an angle that spans more is not in radians, unless it is unwound
+constexpr double rigid = 0.05;  // of the mean distance: its standard deviation
 
 /// The name by which a flag finds a column: its number where others have the same name.
 std::string flag_of(const DelimitedFile& file, std::size_t column) {
@@ -63,8 +62,7 @@ std::optional<std::pair<PointColumns, PointColumns>> rigid_pair(const DelimitedF
 
 bool is_in_degrees(const DelimitedFile& file, std::size_t column, const std::vector<double>& values) {
     const std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
-    if (names_degrees(unit)) return true;
-    if (unit.find("rad") != std::string::npos) return false;
+    if (radians_in(unit) || names_degrees(unit)) return names_degrees(unit);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double value : values)
         if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
@@ -113,6 +111,15 @@ void choose_quantity(const DelimitedFile& file, const Inspection& found, SeriesC
     if (!found.points.empty()) choose_point(file, found.points.front(), choice);
 }
 
+/// What cannot be read is refused by read_chosen().
+bool is_rate_or_refused(const DelimitedFile& file, const SeriesChoice& choice) {
+    try {
+        return is_rate_column(file, choice);
+    } catch (const BadInput&) {
+        return false;
+    }
+}
+
 /// Reads what was chosen, and turns the image's axis where it seems to point down.
 void read_chosen(SeriesChoice& choice, Inspection& found) {
     try {
@@ -148,7 +155,8 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     for (const auto& text : one.where) keep_rows(*rows, condition_from(*rows, text));
     one.table = rows;
     choose_quantity(*rows, found, one);
-    if (choice.symmetry == 1 && !one.is_angle() && !swirl_rate.empty())
+    const bool takes_rate = one.is_angle() || is_rate_or_refused(*rows, one);
+    if (choice.symmetry == 1 && !takes_rate && !swirl_rate.empty())
         one.swirl_rate = 1, one.rate_unit = RateUnit::radians;
     read_chosen(one, found);
     if (is_guessed_in_degrees(*rows, choice, one))
@@ -167,7 +175,7 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     found.command = fmt::format("swirl classify --series {}", in_one_word(choice.file));
     if (!one.angle.empty()) found.command += fmt::format(" --angle {}", in_one_word(one.angle));
     if (const std::string flags = one.flags(); !flags.empty()) found.command += " " + flags;
-    if (one.is_angle() && !swirl_rate.empty()) found.command += fmt::format(" --swirl-rate {}", swirl_rate);
+    if (takes_rate && !swirl_rate.empty()) found.command += fmt::format(" --swirl-rate {}", swirl_rate);
     return found;
 }
 

@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace swirl::apps::spectrum {
 
@@ -118,6 +119,25 @@ void note_short_segments(const SpectrumOptions& options, const analysis::PowerSp
                                            spectrum.segment_length, without));
 }
 
+/// Where most of the power lies within a few steps of the spectrum's frequencies from 0, of which a window makes one
+/// lump.
+void note_unresolved(const SpectrumOptions& options, const analysis::PowerSpectrum& spectrum, SpectrumSignal& signal) {
+    constexpr std::size_t fewest_steps = 4;  // a Hann window's line is four steps wide
+    if (!signal.series || options.segments > 0 || spectrum.segments < 2) return;
+    const std::vector<double>& power = spectrum.power;
+    double whole = 0, near = 0;
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        whole += power[k];
+        if (k < fewest_steps) near += power[k];
+    }
+    if (power.size() <= fewest_steps || !(near > 0.5 * whole)) return;
+    signal.notes.push_back(
+        fmt::format("most of the power lies below a frequency of {:.3g}, which {} segments do not resolve: --segments "
+                    "1 makes one of "
+                    "all rows",
+                    spectrum.frequency[fewest_steps], spectrum.segments));
+}
+
 /// Of rows that lie on no even times, or so many of which are missing that no segment lies between the gaps.
 void take_uneven(const SpectrumOptions& options, const SpectrumSignal& signal, SpectrumReport& report) {
     analysis::SpectrumOptions settings;
@@ -148,6 +168,7 @@ void take_even(const SpectrumOptions& options, SpectrumSignal& signal, std::size
     report.spectrum = signal.positions.empty() ? analysis::power_spectrum(signal.values, signal.spacing, settings)
                                                : analysis::power_spectrum(signal.positions, signal.spacing, settings);
     note_short_segments(options, report.spectrum, signal);
+    note_unresolved(options, report.spectrum, signal);
     analysis::Lines lines = analysis::find_lines(report.spectrum);
     report.peaks = std::move(lines.peaks);
     report.share = lines.share;

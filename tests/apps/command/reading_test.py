@@ -184,8 +184,15 @@ class Geometry(Reading):
             note = f"column {name} is read in radians, though its values come round at 360 as do degrees: --degrees says so"
             self.assertIn(note, self.notes(f"classify --series {file} --angle {name}"))
             self.assertNotIn("radians", self.notes(f"classify --series {file} --angle {name} --degrees"))
-        for name in ("unwound", "turn"):
-            self.assertNotIn("radians", self.notes(f"classify --series {file} --angle {name}"))
+        self.assertNotIn("radians", self.notes(f"classify --series {file} --angle turn"))
+
+    def test_an_unwound_angle_without_a_unit_is_noted(self):
+        rows = [(f"{i / 30:.6f}", f"{6.3 * i:.3f}", f"{0.11 * i:.4f}") for i in range(900)]
+        file = self.rows("u.csv", "t,angle,turn [rad]", rows)
+        note = "column angle is read in radians, over 901 turns, and no unit is named: of degrees --degrees says so"
+        self.assertIn(note, self.notes(f"classify --series {file} --angle angle --swirl-rate 1.5Hz"))
+        self.assertNotIn("radians", self.notes(f"classify --series {file} --angle angle --swirl-rate 1.5Hz --degrees"))
+        self.assertNotIn("radians", self.notes(f"classify --series {file} --angle 3 --swirl-rate 1.5Hz"))
 
     def test_a_mark_turns_about_an_origin_that_is_given_or_fitted(self):
         rows = [(0.1 * i, repr(7 + 3 * math.cos(0.02 * i)), repr(-1 + 3 * math.sin(0.02 * i))) for i in range(600)]
@@ -224,6 +231,50 @@ class Geometry(Reading):
         self.refused("classify --y-down", "--y-down is a series'")
         self.refused("spectrum --fps 30", "--fps 30 is a series'")
 
+
+class Spins(Reading):
+    """Columns that are no S as they stand: rates of turn by their unit, angles by their name."""
+    RATE = 3 * math.pi  # of the swirl, 1.5 turns a second
+
+    def film(self, header, of_rate, time=1):
+        spins = [0.35 * (1 + 0.01 * math.sin(2 * math.pi * i / 90)) for i in range(900)]
+        return self.rows("spin.csv", header, [(f"{time * i / 30:.7f}", repr(of_rate * self.RATE * s)) for i, s in enumerate(spins)])
+
+    def test_a_rate_of_turn_over_the_swirls_is_S(self):
+        degree = 180 / math.pi
+        for header, of_rate, time in (("t,omega (rad/s)", 1, 1), ("t,w [deg/s]", degree, 1), ("t,spin (rpm)", 30 / math.pi, 1),
+                                      ("t,w_rad_s", 1, 1), ("t,rate_deg_per_s", degree, 1), ("t,a \u00b0/s", degree, 1),
+                                      ("time (ms),omega (rad/s)", 1, 1000), ("t,S (rad/s)", 1, 1)):
+            file = self.film(header, of_rate, time)
+            for rate, sign in (("1.5Hz", 1), ("90rpm", 1), ("=-1.5Hz", -1)):
+                found = document(f"classify --series {file} --swirl-rate{'' if rate[0] == '=' else ' '}{rate}")
+                self.assertAlmostEqual(found["mean_S"], 0.35 * sign, delta=1e-9, msg=(header, rate))
+                self.assertEqual((found["series"]["quantity"], found["series"]["clockwise"], found["series"]["notes"]),
+                                 ("S of a rate", sign < 0, []), header)
+        self.assertAlmostEqual(document(f"classify --series {file} --swirl-rate {self.RATE} --y-down")["mean_S"], -0.35, delta=1e-9)
+        self.assertIn("--swirl-rate 1.5Hz", document(f"inspect {file} --swirl-rate 1.5Hz")["command"])
+
+    def test_without_the_swirls_rate_it_is_read_as_it_stands_and_noted(self):
+        file = self.film("t,omega (rad/s)", 1)
+        found = document(f"classify --series {file}")
+        self.assertAlmostEqual(found["mean_S"], 0.35 * self.RATE, delta=1e-9)
+        self.assertEqual(found["series"]["notes"], ["column omega (rad/s) is a rate of turn by its unit, and is read as it "
+                                                    "stands: over --swirl-rate W it is S"])
+
+    def test_a_swirls_rate_of_what_does_not_turn_is_refused(self):
+        file = self.film("t,S", 1)
+        self.refused(f"classify --series {file} --swirl-rate 2", "swirl-rate", "column S is neither")
+        self.refused(f"classify --series {file} --column t --swirl-rate 2", "column t is neither")
+        frames = self.rows("f.csv", "frame,omega (rad/s)", [(i, 1 + 0.1 * (i % 7)) for i in range(100)])
+        self.refused(f"classify --series {frames} --swirl-rate 2", "--fps F")
+
+    def test_an_angle_is_no_S(self):
+        file = self.rows("a.csv", "t,angle", [(f"{i / 30:.7f}", f"{0.1 * i % 6.28:.4f}") for i in range(600)])
+        self.refused(f"classify --series {file}", "column angle is an angle by its name", "--angle angle")
+        note = "column angle is an angle by its name, and is read as it stands: --angle angle takes its rate, S"
+        for arguments in (f"classify --series {file} --column angle", f"spectrum --series {file}"):
+            self.assertIn(note, self.notes(arguments))
+        self.assertNotIn("by its name", self.notes(f"classify --series {file} --angle angle"))
 
 class Text(Reading):
     def test_a_likelihood_masks_and_is_told(self):

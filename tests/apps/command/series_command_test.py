@@ -208,7 +208,7 @@ class Motion(InFolder):
     def test_flags_that_do_not_go_together(self):
         file = self.rows("p.csv", "t,x,y", [(0.1 * i, math.cos(i), math.sin(i)) for i in range(200)])
         for flags, said in (("--angle x --column y", "give one"), ("--degrees", "--angle COLUMN is missing"),
-                            ("--swirl-rate 3", "--angle COLUMN is missing"), ("--angle x --swirl-rate 0", "swirl-rate = 0"),
+                            ("--swirl-rate 3", "it is of an angle (--angle COLUMN)"), ("--angle x --swirl-rate 0", "swirl-rate = 0"),
                             ("--angle z", "--angle = 'z'"), ("--angle x --symmetry 0", "symmetry"),
                             ("--angle x --alpha 0.4", "a scene and --series"), ("--angle x --spin 1", "a scene and --series")):
             for command in ("classify", "recurrence", "spectrum"):

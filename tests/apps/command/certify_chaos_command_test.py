@@ -11,7 +11,7 @@ import h5py
 import numpy
 
 from certificates import with_new_checksum
-from driving import InFolder, document, run
+from driving import InFolder, document, run, sized
 
 EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 8  # driving has taken SWIRL
 DISK = "--sides disk --alpha 0.3 --beta 0.5 --mu 0 --restitution 1"
@@ -46,7 +46,7 @@ class Chaos:
 
     def test_points_of_sets_go_where_coverings_say(self):
         """The map itself carries the ends of each set beyond the ends of the next, on different sides."""
-        for covering in self.found["coverings"]:
+        for covering in self.found["coverings"][::sized(1, 8)]:
             first, second = (self.found["sets"][covering[name] - 1] for name in ("from", "to"))
             inverse = numpy.linalg.inv(second["matrix"])
             ends = []
@@ -165,7 +165,7 @@ class ChaosOfADisk(Chaos, InFolder):
         return f"{psi!r},{float(vn)!r},{vt!r},0"
 
     def test_bytes_do_not_depend_on_threads(self):
-        for threads in (1, 3):
+        for threads in sized((1, 3), (3,)):
             self.assertEqual(run(f"{self.command} --json --threads {threads}").stdout, self.text)
 
     def test_the_table_says_the_bound_and_the_record_has_the_sets(self):

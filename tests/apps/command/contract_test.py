@@ -288,7 +288,8 @@ class Help(InFolder):
         shown = []
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
         self.assertGreaterEqual(len(commands), 12)
-        for command in set(commands) - {"plot", "animate", "notebook", "fit", "explore", "ramp"}:  # their own tests run those
+        own = {"plot", "animate", "notebook", "fit", "explore", "ramp"}  # their own tests run those
+        for command in sorted(set(commands) - own)[::sized(1, 3)]:
             examples = examples_of(command)
             self.assertTrue(examples, command)
             shown += examples
@@ -298,7 +299,7 @@ class Help(InFolder):
         self.assertEqual(len(readme), 5)
         self.assertLessEqual(set(readme), set(more))
         self.assertGreater(len(more), 20)
-        self.check_examples([one for one in more if one not in shown or ".h5" in one], "documents")
+        self.check_examples(sized([one for one in more if one not in shown or ".h5" in one], []), "documents")
 
     def test_what_quickstart_says_to_try_next_runs(self):
         script = (ROOT / "quickstart").read_text()

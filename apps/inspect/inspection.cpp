@@ -159,6 +159,10 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     if (choice.symmetry == 1 && !takes_rate && !swirl_rate.empty())
         one.swirl_rate = 1, one.rate_unit = RateUnit::radians;
     read_chosen(one, found);
+    if (found.series && found.time.empty() && !found.series->time.empty()) {  // once the rows are sorted by it
+        found.time = found.series->time;
+        found.in_frames = names_frame(found.time) && !choice.fps;
+    }
     if (is_guessed_in_degrees(*rows, choice, one))
         found.notes.push_back(
             fmt::format("column {} is taken in degrees, for it spans more than a turn in radians does, and "

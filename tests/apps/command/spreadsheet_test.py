@@ -58,6 +58,7 @@ class Order(Film):
                 self.check(self.rows(header, order, time), f"--angle 2 --swirl-rate 1Hz {flags}",
                            f"the rows are not in the order of column {name}: they are sorted by it")
 
+                self.assertEqual(document(f"inspect {self.rows(header, order, time)} {flags}")["time"], name)
             named = self.rows("t,angle (turns)", order, lambda i: f"{i / FPS:.6f}")
             self.refused(f"classify --series {named} --angle 2 --swirl-rate 1Hz", "times must rise")
 

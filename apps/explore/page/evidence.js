@@ -105,7 +105,7 @@ class Evidence {
   /** "RC = 0.125 of the last 1,000 impacts". */
   rateInWords() {
     const { rate, n } = this.recurrenceRate();
-    if (n < FEWEST_OF_RATE) return `recurrence rate RC: of ${FEWEST_OF_RATE} impacts or more`;
+    if (n < FEWEST_OF_RATE) return `recurrence rate RC: shown from ${FEWEST_OF_RATE} impacts on`;
     const alone = Math.round(rate * n * n) === n ? ", 1/n: no two have the same S" : "";
     return `recurrence rate RC = ${rate.toPrecision(3)} of the last ${n.toLocaleString("en")} impacts` +
       `${alone || " (S the same to 1e−6)"}`;
@@ -126,7 +126,10 @@ class Evidence {
     if (outcome !== "completed") return { mode: "ended", words: `${endings[outcome]}, after ${impacts}` };
     const found = this.period();
     if (found === null)
-      return { mode: "open", words: this.count < TOO_FEW ? `too early to say: ${impacts}` : `not settled after ${impacts}` };
+      return { mode: "open", words: this.count < TOO_FEW
+        ? `too early to say: ${this.count} of ${TOO_FEW} impacts`
+        : `no period up to ${LONGEST_PERIOD} in ${impacts}: chaos, a closed curve in the section (quasi-steady), or not settled yet; ` +
+          "swirl classify tells which" };
     const name = found.period === 1 ? "steady" : `quasi-steady, period ${found.period}`;
     return { mode: found.period === 1 ? "steady" : "quasi-steady", period: found.period,
              words: `${name}: the last ${found.impacts} impacts recur to 1e−9` };

@@ -100,6 +100,8 @@ class RecordFigure {
         const [low, high] = [figure.toY(axes[1].edges[j]), figure.toY(axes[1].edges[j + 1])].map(Math.round);
         pen.fillStyle = MODE_COLOURS[sweep.modeOf(cell)];
         pen.fillRect(left, high, right - left, low - high);
+        const other = sweep.otherModeOf(cell);
+        if (other) this.drawCorner(pen, [left, right, low, high], MODE_COLOURS[other]);
       }
     } else if (sweep) {
       for (const cell of sweep.shown())
@@ -113,6 +115,17 @@ class RecordFigure {
         figure.line(points, "#ffffff", 3.5);
         figure.line(points, CURVE_COLOURS[kind] || PALE, 1.8, dash);
       }
+  }
+
+  /** The mode of other starts, in a cell's upper right corner. */
+  drawCorner(pen, [left, right, low, high], colour) {
+    const size = 0.5 * Math.min(right - left, low - high);
+    pen.fillStyle = colour;
+    pen.beginPath();
+    pen.moveTo(right - size, high);
+    pen.lineTo(right, high);
+    pen.lineTo(right, high + size);
+    pen.fill();
   }
 
   drawDiagram() {
@@ -145,6 +158,8 @@ class RecordFigure {
     if (this.sweep) {
       const there = new Set(this.sweep.sweep.run_mode.values.map((value) => this.sweep.sweep.run_mode.names[value]));
       for (const [mode, colour] of Object.entries(MODE_COLOURS)) if (there.has(mode)) found.push({ colour, text: mode, word: mode });
+      if (this.sweep.isGrid && this.axes.length === 2 && this.sweep.shown().some((cell) => this.sweep.otherModeOf(cell)))
+        found.push({ colour: "linear-gradient(to bottom left, #777 50%, #fff 50%)", text: "a corner: other starts differ" });
     }
     for (const kind of new Set(this.curves.flatMap(({ lines }) => lines.map((line) => line.kind))))
       found.push({ colour: CURVE_COLOURS[kind] || PALE, text: `${kind} of cycles`, word: kind });
@@ -168,8 +183,8 @@ class RecordFigure {
   /** Of a diagram the cycle beneath the mouse, in words. */
   branchAt(event) {
     if (!this.diagram) return "";
-    const { x, y } = this.figure.placeOf(event), [low, high] = this.figure.y;
-    return this.diagram.branchAt(x, y, 0.015 * (high - low));
+    const { x, y } = this.figure.placeOf(event), [low, high] = this.figure.y, [left, right] = this.figure.x;
+    return this.diagram.markAt(x, y, 0.01 * (right - left), 0.015 * (high - low)) || this.diagram.branchAt(x, y, 0.015 * (high - low));
   }
 
   /** The middle of the cell that an event points at; of a record that is no grid the place itself. */
@@ -188,7 +203,12 @@ class RecordFigure {
    * taken as it is lifted, or as it moves sideways. */
   listen(canvas) {
     let from = null, dragging = false; // of the press
-    const isFar = (event) => Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > 4;
+    const moved = (event) => [Math.abs(event.clientX - from.clientX), Math.abs(event.clientY - from.clientY)];
+    const isDrag = (event) => {
+      const [across, along] = moved(event);
+      return event.pointerType === "touch" ? across > 8 && across > along : Math.hypot(across, along) > 4;
+    };
+    const scrolls = (event) => event.pointerType === "touch" && moved(event)[1] > 8;
     canvas.addEventListener("pointerdown", (event) => {
       if (!this.figure.isWithin(event)) return;
       [from, dragging] = [event, false];
@@ -196,7 +216,8 @@ class RecordFigure {
       if (event.pointerType !== "touch") this.choose(this.cellAt(event));
     });
     canvas.addEventListener("pointermove", (event) => {
-      if (from && !dragging) dragging = isFar(event);
+      if (from && !dragging) dragging = isDrag(event);
+      if (from && !dragging && scrolls(event)) from = null;
       if (dragging) this.choose(this.valuesAt(event));
       else if (!from) this.onHover(this.valuesAt(event), this.branchAt(event));
     });

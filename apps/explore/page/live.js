@@ -106,7 +106,7 @@ function inFrame(frame, beta, time, x, y) {
 
 function drawDish(figure, orbit, frame) {
   const { scene, time } = orbit, { beta } = scene;
-  figure.setSquare((frame === "container" ? 1 : 1 + beta) * 1.06);
+  figure.setSquare((frame === "container" ? 1 : 1 + beta) * 1.07);
   figure.clear();
   const centre = inFrame(frame, beta, time, beta * Math.cos(time), beta * Math.sin(time));
   figure.circle(...centre, 1, INK, 2, "#f6f6f6");
@@ -115,6 +115,9 @@ function drawDish(figure, orbit, frame) {
     const ahead = 20 / Math.max(1, figure.toX(beta) - figure.toX(0)); // so many pixels
     if (ahead < 2) figure.head([0, 0], beta, time + ahead, "#888888");
   }
+  const toSwirl = frame === "co-rotating" ? 0 : time; // ψ = 0
+  const outside = (reach, turn) => [centre[0] + reach * Math.cos(toSwirl + turn), centre[1] + reach * Math.sin(toSwirl + turn)];
+  figure.polygon([outside(1.01, 0), outside(1.06, 0.03), outside(1.06, -0.03)], "#D55E00", 1, "#D55E00");
   figure.dots([centre], "#888888", 4);
   figure.line(orbit.trail.map(([t, x, y]) => inFrame(frame, beta, t, x, y)), "rgba(0, 114, 178, 0.55)", 1.3);
   const { x, y, angle } = orbit.momentAt(time);

@@ -108,6 +108,23 @@ class Page {
     byId("origin").textContent = `${files.join(", ")}; page made by swirl explore ${this.data.swirl_version}`;
     const names = this.figure.axes.map((axis) => symbolOf(axis.name)).join(" and ");
     byId("figure").setAttribute("aria-label", `${kinds[first.kind]}, over ${names}. Arrows choose the scene.`);
+    byId("figure-keys").textContent = (first.kind === "map" ? "A click takes a cell's scene, a drag any."
+      : "A click or a drag takes any scene on the figure.") + ` With the figure in focus arrows go ${first.kind === "map"
+      ? "from cell to cell" : first.kind === "diagram" ? "to the record's own values" : "in steps"}.`;
+    const { sides, law, inertia_factor: kappa, speed } = this.scenes;
+    byId("fixed").textContent = [this.axisOf("sides") ? "" : sides === "disk" ? "a disk" : `${sides} sides`,
+      this.axisOf("law") ? "" : `law: ${law}`, kappa > 0 ? `κ = ${shortNumber(Number(kappa))}` : "",
+      this.startIsGiven() ? "" : `starts at ${shortNumber(Number(speed || this.data.speed))} R_c ω_s`].filter(Boolean).join(", ") +
+      ": as in the record. Lengths in R_c, times in 1/ω_s.";
+    const listed = new Set();
+    const list = (word) => {
+      if (!MEANINGS[word] || listed.has(word)) return;
+      listed.add(word);
+      const [name, meaning] = ["dt", "dd"].map((kind) => document.createElement(kind));
+      [name.textContent, meaning.textContent] = [word, MEANINGS[word]];
+      byId("word-list").append(name, meaning);
+    };
+    WORDS_OF_MODES.forEach(list);
     for (const { colour, text, word } of this.figure.legend()) {
       const item = document.createElement("li"), patch = document.createElement("span");
       patch.style.background = colour;
@@ -115,9 +132,7 @@ class Page {
       byId("legend").append(item);
       if (!MEANINGS[word]) continue;
       item.title = MEANINGS[word];
-      const [name, meaning] = ["dt", "dd"].map((kind) => document.createElement(kind));
-      [name.textContent, meaning.textContent] = [word, MEANINGS[word]];
-      byId("word-list").append(name, meaning);
+      list(word);
     }
   }
 
@@ -160,8 +175,10 @@ class Page {
     }
     const { words, period } = evidence.verdict(outcome);
     byId("verdict").textContent = words;
-    byId("numbers").textContent = (period ? `⟨S⟩ = ${shortNumber(evidence.meanOfLast(period))} on the cycle, ` : "⟨S⟩ = ") +
-      `${shortNumber(evidence.mean)} since the start (ω_s t = ${shortNumber(evidence.time)})`;
+    byId("numbers").textContent = Number.isFinite(evidence.mean)
+      ? (period ? `⟨S⟩ = ${shortNumber(evidence.meanOfLast(period))} on the cycle, ` : "⟨S⟩ = ") +
+        `${shortNumber(evidence.mean)} since the start (ω_s t = ${shortNumber(evidence.time)})`
+      : "⟨S⟩: from the second impact on";
     byId("rate").textContent = evidence.rateInWords();
     showWords(byId("command"), commandOf(this.scene, this.startAsFlags, Math.max(1, evidence.count)));
     showWords(byId("judge"), commandOf(this.scene, this.startAsFlags));
@@ -343,15 +360,20 @@ class Page {
 
   readHash() {
     const given = new URLSearchParams(location.hash.slice(1));
+    const refuse = (name, text) => {
+      this.notice = [this.notice, `${symbolOf(name)} = ${text} of the address is not taken`].filter(Boolean).join("; ");
+    };
     for (const [name, text] of given) {
       if (name === "frame" && [...byId("frame").options].some((option) => option.value === text)) byId("frame").value = text;
       if (!(name in this.state) || (name === "sides" && !this.axisOf(name))) continue;
       const value = Number(text), axis = this.axisOf(name);
-      if (name === "pace") this.state.pace = PACES.includes(text) ? text : this.state.pace;
-      else if (name === "start") this.state.start = Number.isInteger(value) && this.data.starts[value] ? value : this.state.start;
-      else if (axis && axis.words) this.state[name] = axis.words[value] === undefined ? this.state[name] : value;
-      else if (name === "sides" && axis) this.state[name] = axis.values.includes(value) ? value : this.state[name];
-      else if (typeof this.state[name] === "number" && Number.isFinite(value) && text.trim() !== "") this.state[name] = value;
+      const taken = name === "pace" ? PACES.includes(text)
+        : name === "start" ? Number.isInteger(value) && this.data.starts[value] !== undefined
+        : axis && axis.words ? axis.words[value] !== undefined
+        : name === "sides" && axis ? axis.values.includes(value)
+        : typeof this.state[name] !== "number" ? text === String(this.state[name]) : Number.isFinite(value) && text.trim() !== "";
+      if (!taken) refuse(name, text);
+      else this.state[name] = typeof this.state[name] === "number" ? value : text;
     }
     for (const name of Object.keys(ALLOWED))
       if (!(this.axisOf(name) || {}).words) this.state[name] = this.held(name, Number(this.state[name]));

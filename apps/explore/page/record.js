@@ -33,6 +33,7 @@ const MEANINGS = {
   "two-vertices": "two vertices strike at once, and the cycle ends here",
   "stick-slip": "an impact of the cycle changes from sticking to sliding",
 };
+const WORDS_OF_MODES = ["steady", "quasi-steady", "chaotic", "undecided"];
 const MODE_COLOURS = { steady: "#00406B", "quasi-steady": "#F0E442", chaotic: "#D55E00", undecided: "#BDBDBD" };
 
 function symbolOf(name) {
@@ -148,6 +149,16 @@ class Sweep {
     return this.modes[best];
   }
 
+  /** The mode with the next largest share; none where all starts came to one. */
+  otherModeOf(cell) {
+    const first = this.modeOf(cell), share = this.sweep.share.values, count = this.modes.length;
+    let best = null, most = 0;
+    this.modes.forEach((mode, m) => {
+      if (mode !== first && share[cell * count + m] > most) [best, most] = [mode, share[cell * count + m]];
+    });
+    return best;
+  }
+
   /** A parameter's value in a cell, as along its axis. */
   coordinate(cell, axis) {
     if (!this.isGrid) {
@@ -224,7 +235,12 @@ function attractorsInWords(attractors, starts = Infinity) {
   const ofStarts = (share) => (starts < 20 ? `${Math.round(share * starts)} of ${starts} start${starts === 1 ? "" : "s"}`
     : `${Math.round(100 * share)} % of the starts`);
   return attractors.map(({ mode, period, spin, share }) =>
-    `${mode}${period > 1 ? `, period ${period}` : ""}, ⟨S⟩ = ${shortNumber(spin)}, ${ofStarts(share)}`).join("; ");
+    `${mode}${period > 1 ? `, period ${period}` : ""}, ${meanInWords(mode, spin)}, ${ofStarts(share)}`).join("; ");
+}
+
+/** Of chaos a finite run tells ⟨S⟩ to some hundredths. */
+function meanInWords(mode, spin) {
+  return mode === "chaotic" && spin !== null ? `⟨S⟩ about ${inWords(Number(spin.toFixed(2)))}` : `⟨S⟩ = ${shortNumber(spin)}`;
 }
 
 const LOSES_STABILITY = ["fold", "flip", "neimark-sacker"];
@@ -303,6 +319,20 @@ class Diagram {
     const found = this.marks.find(({ x, heights, kind, period: its }) => LOSES_STABILITY.includes(kind) && its === period &&
       (x - from[0]) * (x - to[0]) <= 0 && heights.some((height) => Math.abs(height - heightAt(from, to, x)) <= near));
     return found ? [found.x, heightAt(from, to, found.x)] : null;
+  }
+
+  /** The special point nearest to a place: "two-vertices, period 2, α = …, S = …". */
+  markAt(x, y, withinX, withinY) {
+    let found = "", least = 1;
+    for (const mark of this.marks)
+      for (const height of [mark.y, ...mark.heights]) {
+        const apart = Math.hypot((mark.x - x) / withinX, (height - y) / withinY);
+        if (!(apart <= least)) continue;
+        least = apart;
+        found = `${mark.kind} of a cycle of period ${mark.period}, ${symbolOf(this.axis.name)} = ${inWords(Number(mark.x.toPrecision(8)))}, ` +
+          `${this.observable} = ${shortNumber(height)}`;
+      }
+    return found;
   }
 
   /** The branch that passes a place within so much of the ordinate: "cycle of period 2, unstable, S = …". */

@@ -44,6 +44,19 @@ async function explore(map) {
     await page.mouse("mouseReleased", to);
     assert.ok(await page.evaluate("swirlPage.state.beta") > 0.4);
 
+    // A finger that scrolls over the figure takes nothing; one that moves sideways does, and one that taps.
+    const finger = (...path) => page.evaluate(`(() => {
+      const canvas = document.getElementById("figure"), box = canvas.getBoundingClientRect();
+      canvas.setPointerCapture = () => {}; // of a pointer that is none
+      ${JSON.stringify(path)}.forEach(([type, x, y]) => canvas.dispatchEvent(new PointerEvent(type,
+        { pointerType: "touch", clientX: box.left + x * box.width, clientY: box.top + y * box.height })));
+      return swirlPage.state.alpha; })()`);
+    const untouched = await page.evaluate("swirlPage.state.alpha");
+    assert.equal(await finger(["pointerdown", 0.3, 0.3], ["pointermove", 0.3, 0.32], ["pointermove", 0.35, 0.5], ["pointercancel", 0.35, 0.5]), untouched);
+    const dragged = await finger(["pointerdown", 0.3, 0.3], ["pointermove", 0.4, 0.31], ["pointerup", 0.4, 0.31]);
+    assert.notEqual(dragged, untouched);
+    assert.ok(await finger(["pointerdown", 0.8, 0.3], ["pointerup", 0.8, 0.3]) > dragged);
+
     // What the record has beneath the mouse, in words.
     await page.mouse("mouseMoved", await page.at("figure", 0.9, 0.5));
     assert.match(await page.evaluate(text("cell")), /^Here: α = 0\.\d+, β = 0\.\d+: .* of (the|\d+) starts?/);
@@ -113,7 +126,7 @@ async function explore(map) {
     // A chaotic one does not, and is not called so.
     await page.evaluate("swirlPage.change({ alpha: 0.3, beta: 0.1 })");
     await wait(4);
-    assert.match(await page.evaluate(text("verdict")), /^not settled after [\d,]+ impacts$/);
+    assert.match(await page.evaluate(text("verdict")), /^no period up to 64 in [\d,]+ impacts: chaos, a closed curve/);
     const { frames, impacts: rate } = await page.evaluate("swirlPage.speeds");
     console.log(`chaos: first picture ${Math.round(paint)} ms, ${frames.toFixed(1)} frames and ${Math.round(rate)} impacts a second`);
     await page.screenshot(path.join(process.argv[4], "map-1280.png"));

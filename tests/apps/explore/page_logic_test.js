@@ -54,15 +54,16 @@ test("angles recur as angles", () => {
 
 test("the verdict claims no more than was seen", () => {
   const chaos = Array.from({ length: 5000 }, (_, i) => Math.sin(i * i));
-  assert.deepEqual(evidenceOf(chaos).verdict("completed"), { mode: "open", words: "not settled after 5,000 impacts" });
+  assert.deepEqual(evidenceOf(chaos).verdict("completed"), { mode: "open", words: "no period up to 64 in 5,000 impacts: chaos, " +
+    "a closed curve in the section (quasi-steady), or not settled yet; swirl classify tells which" });
   assert.match(evidenceOf(repeated([1], 100)).verdict("completed").words, /^steady: the last 32 impacts recur/);
   assert.match(evidenceOf(repeated([1, 2, 3], 100)).verdict("completed").words, /^quasi-steady, period 3/);
   assert.match(evidenceOf(repeated([1], 100)).verdict("in-contact").words, /no impact for 1000/);
 });
 
 test("of few impacts it says that they are few", () => {
-  assert.equal(evidenceOf([1, 2, 4]).verdict("completed").words, "too early to say: 3 impacts");
-  assert.equal(evidenceOf([1, 2, 4]).rateInWords(), "recurrence rate RC: of 32 impacts or more");
+  assert.equal(evidenceOf([1, 2, 4]).verdict("completed").words, "too early to say: 3 of 300 impacts");
+  assert.equal(evidenceOf([1, 2, 4]).rateInWords(), "recurrence rate RC: shown from 32 impacts on");
   const apart = Array.from({ length: 2000 }, (_, i) => i);
   assert.equal(evidenceOf(apart).rateInWords(), "recurrence rate RC = 0.00100 of the last 1,000 impacts, 1/n: no two have the same S");
   assert.match(evidenceOf(repeated([1, 2], 2000)).rateInWords(), /^recurrence rate RC = 0\.500 of the last 1,000 impacts \(S the same/);
@@ -80,6 +81,16 @@ test("the mean of S is that over time, and history keeps its length", () => {
   assert.equal(evidence.mean, 2);
   assert.ok(evidence.history.length <= 4001 && evidence.history.length > 1000);
   assert.equal(evidence.history[0][0], 0);
+});
+
+test("other starts, chaos and special points are said of the record", () => {
+  const sweep = Object.assign(Object.create(Sweep.prototype), { modes: ["steady", "chaotic"], sweep: { share: { values: [1, 0, 0.4, 0.6] } } });
+  assert.deepEqual([0, 1].map((cell) => [sweep.modeOf(cell), sweep.otherModeOf(cell)]), [["steady", null], ["chaotic", "steady"]]);
+  assert.equal(page.attractorsInWords([{ mode: "chaotic", period: 0, spin: -0.03103, share: 1 }]), "chaotic, ⟨S⟩ about −0.03, 100 % of the starts");
+  const diagram = Object.assign(Object.create(Diagram.prototype), { axis: { name: "alpha" }, observable: "S",
+    marks: [{ x: 0.512271, y: -0.8832, heights: [-0.8832, 0.1], kind: "two-vertices", period: 2 }] });
+  assert.equal(diagram.markAt(0.512, 0.1, 0.01, 0.05), "two-vertices of a cycle of period 2, α = 0.512271, S = 0.1");
+  assert.equal(diagram.markAt(0.53, 0.1, 0.01, 0.05), "");
 });
 
 test("axes: cells, borders, logarithms, words", () => {

@@ -230,7 +230,7 @@ std::optional<ClockTime> clock_time_in(std::string_view cell) {
     }
     const auto offset = offset_in(text);
     if (!offset) return std::nullopt;
-    time.seconds = 86400 * days + 3600 * *hour + 60 * *minute + *second - *offset;
+    time.seconds = 86400 * days + std::int64_t{3600} * *hour + std::int64_t{60} * *minute + *second - *offset;
     return time;
 }
 

@@ -200,7 +200,7 @@ std::optional<double> turning_rate_of(const DelimitedFile& file, std::size_t col
     const auto words = words_of(file.header[column]);
     std::string end;
     for (std::size_t k = words.size(); k > 0 && k + longest > words.size(); --k) {
-        end = words[k - 1].lower + " " + end;
+        end.insert(0, " ").insert(0, words[k - 1].lower);
         if (const auto rate = turning_rate_in(end)) return rate;
     }
     return std::nullopt;

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -226,7 +225,7 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
 ReadTimes times_of(const DelimitedFile& file, std::size_t column) {
     const auto first = clock_time_in(file.cells(0)[column]);
     if (!first) return {numbers_of(file, {column}, {false})[0], false};
-    constexpr std::int64_t day = 86400;
+    constexpr double day = 86400;
     double days = 0;
     ReadTimes times{{}, true};
     times.values.reserve(file.rows.size());
@@ -240,7 +239,7 @@ ReadTimes times_of(const DelimitedFile& file, std::size_t column) {
                                                "2024-10-07T12:30:00.25 is",
                                                shown(cell), column_name(file, column))));
         double value = static_cast<double>(time->seconds - first->seconds) + (time->fraction - first->fraction) + days;
-        const bool has_date = time->seconds >= 2 * day;
+        const bool has_date = static_cast<double>(time->seconds) >= 2 * day;
         if (!has_date && !times.values.empty() && value < times.values.back() - day / 2)  // over midnight
             days += day, value += day;
         times.values.push_back(value);

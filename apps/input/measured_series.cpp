@@ -238,8 +238,8 @@ bool is_folded(const std::vector<double>& values, double turn) {
     constexpr double margin = 0.01, at_end = 0.05, of_a_jump = 0.5;  // of the span
     constexpr int fewest = 3;
     const AngleSteps steps(values);
-    const double parts = turn / steps.span;
     if (!(steps.span > 0) || steps.longer_than(of_a_jump * steps.span) > 0) return false;
+    const double parts = turn / steps.span;
     if (std::abs(parts / 2 - 1) > margin && std::abs(parts / 4 - 1) > margin) return false;
     double low = std::numeric_limits<double>::infinity();
     for (const double value : values)

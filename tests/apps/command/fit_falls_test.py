@@ -73,7 +73,7 @@ def fall(seed, noise=5e-5, seconds=0.5):
 
 
 FLAGS = f"--position x y --angle theta --fps {FPS} --sides {SIDES} --side {SIDE}"
-FEW = sized("--resamples 40", "--resamples 12")
+FEW = sized("--resamples 40", "--resamples 20")
 
 
 class WithFalls:

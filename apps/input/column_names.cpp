@@ -198,9 +198,9 @@ std::optional<double> turning_rate_of(const DelimitedFile& file, std::size_t col
     if (file.header.empty()) return std::nullopt;
     constexpr std::size_t longest = 3;  // words: "rad per s"
     const auto words = words_of(file.header[column]);
-    std::string end;
     for (std::size_t k = words.size(); k > 0 && k + longest > words.size(); --k) {
-        end.insert(0, " ").insert(0, words[k - 1].lower);
+        std::string end = words[k - 1].lower;
+        for (std::size_t next = k; next < words.size(); ++next) end.append(" ").append(words[next].lower);
         if (const auto rate = turning_rate_in(end)) return rate;
     }
     return std::nullopt;

@@ -75,6 +75,12 @@ bool is_one_of(const std::string& text, const std::array<const char*, N>& any_of
     return std::find(any_of.begin(), any_of.end(), text) != any_of.end();
 }
 
+template <std::size_t N>
+std::optional<double> factor_of(const std::array<std::pair<const char*, double>, N>& units, const std::string& unit) {
+    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& entry) { return unit == entry.first; });
+    return found == units.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// The likelihood of a point whose columns begin so ("tip."), or the only one that there is.
 std::optional<std::size_t> likelihood_of(const DelimitedFile& file, const std::string& begin) {
     std::optional<std::size_t> last;
@@ -90,7 +96,8 @@ std::optional<std::size_t> likelihood_of(const DelimitedFile& file, const std::s
 
 }  // namespace
 
-std::string without_brackets(std::string unit) {
+std::string unit_of_column(const DelimitedFile& file, std::size_t column) {
+    std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
     for (const char bracket : {'(', ')', '[', ']'})
         unit.erase(std::remove(unit.begin(), unit.end(), bracket), unit.end());
     return unit;
@@ -165,36 +172,24 @@ std::optional<double> radians_in(const std::string& unit) {
                                                                               {"gon", turn / 400},
                                                                               {"grad", turn / 400},
                                                                               {"cycles", turn}}};
-    const std::string bare = without_brackets(unit);
-    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& entry) { return bare == entry.first; });
-    return found == units.end() ? std::nullopt : std::optional(found->second);
+    return factor_of(units, unit);
 }
 
 std::optional<double> turning_rate_in(const std::string& unit) {
-    constexpr double turn = 2 * std::numbers::pi, degree = turn / 360;
-    static constexpr std::array<std::pair<const char*, double>, 7> angles = {{{"rad", 1},
-                                                                              {"radians", 1},
-                                                                              {"deg", degree},
-                                                                              {"degrees", degree},
-                                                                              {"\xC2\xB0", degree},
-                                                                              {"rev", turn},
-                                                                              {"turns", turn}}};
+    static constexpr std::array angles = {"rad", "radians", "deg", "degrees", "\xC2\xB0", "rev", "turns"};
     static constexpr std::array per_second = {"s", "sec", "second", "s1", "pers", "persec", "persecond"};
-    const auto words = words_of(without_brackets(unit));
+    const auto words = words_of(unit);
     if (words.empty()) return std::nullopt;
-    if (words.size() == 1 && words[0].lower == "rpm") return turn / 60;
+    if (words.size() == 1 && words[0].lower == "rpm") return 2 * std::numbers::pi / 60;
     std::string per;
     for (std::size_t k = 1; k < words.size(); ++k) per += words[k].lower;
-    const auto angle =
-        std::find_if(angles.begin(), angles.end(), [&](const auto& entry) { return words[0].lower == entry.first; });
-    if (angle == angles.end()) return std::nullopt;
-    if (angle->first == std::string_view("rev") && (per == "min" || per == "permin")) return turn / 60;
-    return is_one_of(per, per_second) ? std::optional(angle->second) : std::nullopt;
+    const std::string& angle = words[0].lower;
+    if (angle == "rev" && (per == "min" || per == "permin")) return 2 * std::numbers::pi / 60;
+    return is_one_of(angle, angles) && is_one_of(per, per_second) ? radians_in(angle) : std::nullopt;
 }
 
 std::optional<double> turning_rate_of(const DelimitedFile& file, std::size_t column) {
-    if (!file.layout.units.empty())
-        if (const auto rate = turning_rate_in(file.layout.units[column])) return rate;
+    if (const auto rate = turning_rate_in(unit_of_column(file, column))) return rate;
     if (file.header.empty()) return std::nullopt;
     constexpr std::size_t longest = 3;  // words: "rad per s"
     const auto words = words_of(file.header[column]);
@@ -252,9 +247,7 @@ std::optional<double> seconds_in(const std::string& unit) {
          {"msec", 1e-3}, {"milliseconds", 1e-3}, {"us", 1e-6},          {"µs", 1e-6},
          {"min", 60},    {"minutes", 60},        {"h", 3600},           {"hr", 3600},
          {"hours", 3600}}};
-    const std::string bare = without_brackets(unit);
-    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& entry) { return bare == entry.first; });
-    return found == units.end() ? std::nullopt : std::optional(found->second);
+    return factor_of(units, unit);
 }
 
 namespace {

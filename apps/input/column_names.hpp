@@ -50,11 +50,11 @@ struct PointColumns {
 /// order of the file; no boxes, speeds or errors.
 std::vector<PointColumns> points_in(const DelimitedFile& file);
 
-/// How many radians a unit of angles is, in brackets or not: "deg", "turns", "gon", "mrad"; nothing of what is no such
-/// unit.
-std::optional<double> radians_in(const std::string& unit);
+/// The unit that a column names, without its brackets; empty where it names none.
+std::string unit_of_column(const DelimitedFile& file, std::size_t column);
 
-std::string without_brackets(std::string unit);
+/// How many radians a unit of angles is: "deg", "turns", "gon", "mrad"; nothing of what is no such unit.
+std::optional<double> radians_in(const std::string& unit);
 
 /// How many seconds a unit of time is: "ms" is 1e-3; nothing of what is no unit of time.
 std::optional<double> seconds_in(const std::string& unit);

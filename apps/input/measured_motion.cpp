@@ -86,13 +86,6 @@ Box box_of(const std::vector<double>& x, const std::vector<double>& y) {
     return box;
 }
 
-std::string unit_of_column(const DelimitedFile& file, std::size_t column) {
-    std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
-    for (const char bracket : {'(', ')', '[', ']'})
-        unit.erase(std::remove(unit.begin(), unit.end(), bracket), unit.end());
-    return unit;
-}
-
 /// Pixels count from a corner of the image, and their y points down.
 bool are_pixels(const DelimitedFile& file, std::size_t x, const Box& box) {
     const std::string unit = unit_of_column(file, x);

@@ -4,6 +4,7 @@
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
 #include "apps/input/column_names.hpp"
+#include "apps/input/column_notes.hpp"
 #include "apps/input/measured_motion.hpp"
 #include "apps/input/row_order.hpp"
 #include "apps/output/wrapped.hpp"
@@ -75,11 +76,6 @@ void describe(MeasuredSeries& series) {
         series.largest_step = std::max(series.largest_step, t[i] - t[i - 1]);
     }
     series.even = series.largest_deviation <= even_within || is_rounded_clock(series);
-}
-
-/// --swirl-rate was given.
-bool takes_swirl_rate(const SeriesChoice& choice) {
-    return choice.swirl_rate != 1 || choice.rate_unit != RateUnit::radians;
 }
 
 /// ω_s in radians per unit of the series' time.
@@ -183,140 +179,6 @@ void cut_ends(std::vector<double>& times, std::vector<std::vector<double>>& colu
                     begin > 0 && after > 0 ? ", " : "", after > 0 ? rows(after) + " at the end" : ""));
 }
 
-/// What the values of an angle span, and its steps from row to row.
-struct AngleSteps {
-    double span = 0;
-    std::vector<double> sizes;
-
-    explicit AngleSteps(const std::vector<double>& values) {
-        double low = std::numeric_limits<double>::infinity(), high = -low, last = std::nan("");
-        for (const double value : values) {
-            if (std::isnan(value)) continue;
-            low = std::min(low, value), high = std::max(high, value);
-            if (!std::isnan(last)) sizes.push_back(std::abs(value - last));
-            last = value;
-        }
-        if (high >= low) span = high - low;
-    }
-    std::ptrdiff_t longer_than(double size) const {
-        return std::count_if(sizes.begin(), sizes.end(), [size](double step) { return step > size; });
-    }
-};
-
-/// A turn of degrees, of which rows step back by half and more: no angle in radians, unwound or not, does.
-bool come_round_at_360(const std::vector<double>& values) {
-    const AngleSteps steps(values);
-    return steps.span <= 360 && steps.longer_than(180) > 0;
-}
-
-/// The values stay within 1/N of a turn, and jump by nearly as much again and again: a tracker that cannot tell a
-/// polygon's sides apart. 0: they don't.
-int symmetry_seen(const std::vector<double>& values, double turn) {
-    constexpr int most = 12, fewest_jumps = 3;
-    constexpr double margin = 0.05, of_a_jump = 0.8;  // of the span
-    const AngleSteps steps(values);
-    if (!(steps.span > 0) || steps.longer_than(of_a_jump * steps.span) < fewest_jumps) return 0;
-    const double sides = std::round(turn / steps.span);
-    return sides >= 2 && sides <= most && std::abs(steps.span * sides / turn - 1) <= margin ? static_cast<int>(sides)
-                                                                                            : 0;
-}
-
-void note_symmetry(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
-                   const std::vector<double>& values, MeasuredSeries& series) {
-    if (choice.angle.empty() || choice.symmetry != 1) return;
-    const int sides = symmetry_seen(values, 2 * pi<double>() / series.angle_unit);
-    if (sides == 0) return;
-    series.notes.push_back(
-        fmt::format("column {} stays within 1/{} of a turn and jumps by as much: if the tracker knows "
-                    "the angle but for that, --symmetry {} says so",
-                    column_name(file, column), sides, sides));
-}
-
-/// The values turn back at both ends of a quarter or half of a turn, again and again, and never jump: an acute angle,
-/// or an arc cosine.
-bool is_folded(const std::vector<double>& values, double turn) {
-    constexpr double margin = 0.01, at_end = 0.05, of_a_jump = 0.5;  // of the span
-    constexpr int fewest = 3;
-    const AngleSteps steps(values);
-    if (!(steps.span > 0) || steps.longer_than(of_a_jump * steps.span) > 0) return false;
-    const double parts = turn / steps.span;
-    if (std::abs(parts / 2 - 1) > margin && std::abs(parts / 4 - 1) > margin) return false;
-    double low = std::numeric_limits<double>::infinity();
-    for (const double value : values)
-        if (value < low) low = value;
-    int turned = 0, last = 0;  // from one end to the other
-    for (const double value : values) {
-        const double place = (value - low) / steps.span;
-        const int end = place < at_end ? -1 : place > 1 - at_end ? 1 : 0;
-        if (end != 0 && end != last) ++turned, last = end;
-    }
-    return turned > 2 * fewest;
-}
-
-void note_folded(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
-                 const std::vector<double>& values, MeasuredSeries& series) {
-    if (choice.angle.empty() || !is_folded(values, 2 * pi<double>() / series.angle_unit)) return;
-    series.notes.push_back(
-        fmt::format("column {} turns back at both ends of what it spans, again and again: of an acute "
-                    "angle or an arc cosine the sense of turns is lost",
-                    column_name(file, column)));
-}
-
-/// The unit that the column names, but of degrees, which --degrees says.
-double unit_of_angle(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
-                     MeasuredSeries& series) {
-    const std::string unit = choice.angle.empty() || file.layout.units.empty() ? "" : file.layout.units[column];
-    const std::optional<double> named = radians_in(unit);
-    const std::string name = column_name(file, column);
-    if (choice.degrees) {
-        if (named && !names_degrees(unit))
-            series.notes.push_back(
-                fmt::format("column {} is read in degrees, though its unit is {}: leave --degrees out", name,
-                            without_brackets(unit)));
-        return pi<double>() / 180;
-    }
-    if (!named || *named == 1 || names_degrees(unit)) return 1;
-    series.notes.push_back(fmt::format("column {} is read in {}, its unit", name, without_brackets(unit)));
-    return *named;
-}
-
-void note_degrees(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column,
-                  const std::vector<double>& values, MeasuredSeries& series) {
-    if (choice.angle.empty() || choice.degrees) return;
-    const std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
-    if (radians_in(unit) && !names_degrees(unit)) return;
-    const std::string name = column_name(file, column);
-    if (const bool is_named = names_degrees(unit); is_named || come_round_at_360(values))
-        series.notes.push_back(fmt::format("column {} is read in radians, though its {} degrees: --degrees says so",
-                                           name, is_named ? "unit is" : "values come round at 360 as do"));
-    else if (const double span = AngleSteps(values).span; span > more_than_turn)
-        series.notes.push_back(
-            fmt::format("column {} is read in radians, over {:.3g} turns, and no unit is named: of "
-                        "degrees --degrees says so",
-                        name, span / (2 * pi<double>())));
-}
-
-/// A column whose name or unit says that its values are no S as they stand.
-void note_no_spin(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column, MeasuredSeries& series) {
-    if (choice.is_angle() || !choice.position.empty() || file.header.empty()) return;
-    const std::string name = column_name(file, column);
-    if (!file.layout.units.empty() && without_brackets(file.layout.units[column]) == "%" && choice.scale == 1)
-        series.notes.push_back(
-            fmt::format("column {} is in percent by its unit, and is read as it stands: --scale 0.01 "
-                        "makes a number of it",
-                        name));
-    if (turning_rate_of(file, column) && !takes_swirl_rate(choice))
-        series.notes.push_back(
-            fmt::format("column {} is a rate of turn by its unit, and is read as it stands: over "
-                        "--swirl-rate W it is S",
-                        name));
-    else if (names_angle(file.header[column]) && !turning_rate_of(file, column))
-        series.notes.push_back(
-            fmt::format("column {} is an angle by its name, and is read as it stands: --angle {} "
-                        "takes its rate, S",
-                        name, in_one_word(name)));
-}
-
 bool is_rate_of(const DelimitedFile& file, const SeriesChoice& choice, std::size_t column) {
     return !choice.is_angle() && choice.position.empty() && turning_rate_of(file, column).has_value();
 }
@@ -359,19 +221,15 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
         series.column += (series.column.empty() ? "" : ", ") + column_name(file, k);
     series.notes.insert(series.notes.end(), columns.notes.begin(), columns.notes.end());
     series.y_down = choice.y_down;
-    const bool is_rate = takes_swirl_rate(choice) && is_rate_of(file, choice, columns.values.front());
-    if (takes_swirl_rate(choice) && !choice.is_angle() && !is_rate)
+    const bool is_rate = choice.has_swirl_rate() && is_rate_of(file, choice, columns.values.front());
+    if (choice.has_swirl_rate() && !choice.is_angle() && !is_rate)
         throw BadInput(
             fmt::format("swirl-rate: it is of an angle (--angle COLUMN), or of a column whose unit is a "
                         "rate of turn, as rad/s; column {} is neither",
                         series.column));
     series.clockwise = (choice.is_angle() || is_rate) && choice.swirl_rate < 0;
     std::vector<std::vector<double>> values = values_of_motion(file, choice, columns, series);
-    series.angle_unit = unit_of_angle(file, choice, columns.values.front(), series);
-    note_degrees(file, choice, columns.values.front(), values.front(), series);
-    note_symmetry(file, choice, columns.values.front(), values.front(), series);
-    note_folded(file, choice, columns.values.front(), values.front(), series);
-    note_no_spin(file, choice, columns.values.front(), series);
+    note_column(file, choice, columns.values.front(), values.front(), series);
     series.times = std::move(columns.times);
     if (columns.time) {
         series.time = column_name(file, *columns.time);

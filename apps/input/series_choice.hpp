@@ -69,6 +69,8 @@ struct SeriesChoice {
 
     /// The text of --swirl-rate: a number, or one followed by rpm, Hz or rad/s. @throws BadInput
     void set_swirl_rate(const std::string& text);
+    /// --swirl-rate says something: it is not the 1 that it is unless given.
+    bool has_swirl_rate() const { return swirl_rate != 1 || rate_unit != RateUnit::radians; }
     /// An angle is analysed, not a column or a distance.
     bool is_angle() const { return !angle.empty() || !marks.empty() || !mark.empty(); }
     /// @throws BadInput for flags that don't go together, and numbers out of range

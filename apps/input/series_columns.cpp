@@ -100,8 +100,8 @@ void read_times(const DelimitedFile& file, const SeriesChoice& choice, SeriesCol
             columns.in_frames = false;
             columns.seconds = 1;
         } else if (!columns.in_frames) {
-            const std::string unit = file.layout.units.empty() ? "" : file.layout.units[*columns.time];
-            columns.seconds = without_brackets(unit).empty() ? std::optional(1.0) : seconds_in(unit);
+            const std::string unit = unit_of_column(file, *columns.time);
+            columns.seconds = unit.empty() ? std::optional(1.0) : seconds_in(unit);
         }
     }
     if (!choice.fps) return;

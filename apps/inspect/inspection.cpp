@@ -61,7 +61,7 @@ std::optional<std::pair<PointColumns, PointColumns>> rigid_pair(const DelimitedF
 }
 
 bool is_in_degrees(const DelimitedFile& file, std::size_t column, const std::vector<double>& values) {
-    const std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
+    const std::string unit = unit_of_column(file, column);
     if (radians_in(unit) || names_degrees(unit)) return names_degrees(unit);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double value : values)
@@ -72,7 +72,7 @@ bool is_in_degrees(const DelimitedFile& file, std::size_t column, const std::vec
 /// Degrees that only the span tells: an angle in radians that is unwound spans as much.
 bool is_guessed_in_degrees(const DelimitedFile& file, const SeriesChoice& asked, const SeriesChoice& chosen) {
     if (chosen.angle.empty() || !chosen.degrees || asked.degrees) return false;
-    return file.layout.units.empty() || !names_degrees(file.layout.units[column_of(file, "--angle", chosen.angle)]);
+    return !names_degrees(unit_of_column(file, column_of(file, "--angle", chosen.angle)));
 }
 
 bool says_what(const SeriesChoice& choice) {
@@ -155,7 +155,7 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     for (const auto& text : one.where) keep_rows(*rows, condition_from(*rows, text));
     one.table = rows;
     choose_quantity(*rows, found, one);
-    const bool takes_rate = one.is_angle() || is_rate_or_refused(*rows, one);
+    const bool takes_rate = !swirl_rate.empty() && (one.is_angle() || is_rate_or_refused(*rows, one));
     if (choice.symmetry == 1 && !takes_rate && !swirl_rate.empty())
         one.swirl_rate = 1, one.rate_unit = RateUnit::radians;
     read_chosen(one, found);
@@ -179,7 +179,7 @@ Inspection inspection_of(SeriesChoice choice, const std::string& swirl_rate) {
     found.command = fmt::format("swirl classify --series {}", in_one_word(choice.file));
     if (!one.angle.empty()) found.command += fmt::format(" --angle {}", in_one_word(one.angle));
     if (const std::string flags = one.flags(); !flags.empty()) found.command += " " + flags;
-    if (takes_rate && !swirl_rate.empty()) found.command += fmt::format(" --swirl-rate {}", swirl_rate);
+    if (takes_rate) found.command += fmt::format(" --swirl-rate {}", swirl_rate);
     return found;
 }
 

@@ -325,7 +325,7 @@ class Diagram {
   markAt(x, y, withinX, withinY) {
     let found = "", least = 1;
     for (const mark of this.marks)
-      for (const height of [mark.y, ...mark.heights]) {
+      for (const height of mark.heights) {
         const apart = Math.hypot((mark.x - x) / withinX, (height - y) / withinY);
         if (!(apart <= least)) continue;
         least = apart;

@@ -40,7 +40,6 @@ The outcome says how the orbit ended. All but the first exit with code 3, interr
                      overflow (an inertia factor far below rounding)
   unresolved         the search for one contact gave up, or no motion on the wall was consistent
   riding             --drag or --floor-friction on a dish: the body goes along with it and never meets the wall again (proven)
-  contact-over-dry-floor  --floor-friction: a polygon came to stay on the wall; its motion there is not followed
   contact-of-corner  --corner: a rounded corner came to stay on the wall; how it rolls or slides there is not followed
   interrupted        the user ended it
 

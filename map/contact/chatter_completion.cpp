@@ -248,7 +248,8 @@ T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactS
     const T spin2 = contact.spin * contact.spin;
     T a = wn + contact.ut * contact.ut - spin2 * body.alpha * cos(contact.chi);
     if (scene.floor.drags)
-        a -= (scene.floor.drag - scene.floor.spin_drag) * contact.spin * body.alpha * sin(contact.chi);
+        a -= ((scene.floor.drag - scene.floor.spin_drag) * contact.spin + scene.floor.turning) * body.alpha *
+             sin(contact.chi);
     const T a_rate = wt * abs(contact.ut - 1) + 2 * abs(contact.ut * change.ut_rate) +
                      2 * abs(contact.spin * change.spin_rate) * rn + spin2 * abs(contact.spin - contact.ut) * rt;
     return (rate * (rate + a_rate / abs(a) + drag * (1 + abs(contact.spin) * rt / abs(a))) + faster) *

@@ -70,9 +70,10 @@ template <class T>
     T acceleration = scene.body.beta + along * along * nearer;
     if (scene.floor.drags) {
         const ContactFloor<T>& floor = scene.floor;
-        acceleration += floor.tilt * scene.body.beta + floor.drag * abs(u.un);
+        acceleration += floor.tilt * scene.body.beta + floor.drag * abs(u.un) + abs(floor.push.x) + abs(floor.push.y);
         if (!scene.is_disk())
-            acceleration += abs(floor.drag - floor.spin_drag) * scene.body.alpha * abs(post_impact.spin);
+            acceleration +=
+                scene.body.alpha * (abs(floor.drag - floor.spin_drag) * abs(post_impact.spin) + abs(floor.turning));
     }
     if (!(u.un * u.un > chatter_tolerance<T>() * (1 - scene.restitution) * acceleration &&
           abs(u.un) > velocity_rounding(scene, post_impact)))

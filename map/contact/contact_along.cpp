@@ -2,6 +2,7 @@
 
 #include "map/contact/contact_series.hpp"
 #include "map/contact/contact_watch.hpp"
+#include "map/contact/segment_follower.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -11,16 +12,6 @@ namespace swirl {
 namespace {
 
 using contact_detail::Problem, contact_detail::State, contact_detail::Step;
-
-/// The derivatives of `z` at the values that the phase has.
-template <class J>
-ContactState<J> with_values(ContactState<J> z, const ContactState<double>& at) {
-    z.psi.a = at.psi;
-    z.chi.a = at.chi;
-    z.ut.a = at.ut;
-    z.spin.a = at.spin;
-    return z;
-}
 
 /// The last step of a piece, and the time on it at which the piece ends.
 template <class J>
@@ -94,82 +85,24 @@ Vanishing<J> vanishing(const Problem<J>& problem, ContactEvent event, bool first
     return {J(0), 1};
 }
 
-/// A vertex (rim) that sticks: friction stops a neighbour that slips, by impulses that leave u_n at zero. Which way it
-/// slips does not matter: B₂p + B₃q = 0, B₃p + B₁q = −u_t.
+/// Over a floor that does not rub: power series.
 template <class J>
-ContactState<J> stopped(const ContactScene<J>& scene, Support support, ContactState<J> z) {
-    const J slip = z.ut;
-    z.ut = J(0);
-    if (support == Support::edge) return z;
-    const ContactKinematics<J> at = contact_kinematics(scene.body, post_impact_state(scene, z));
-    const J q = -slip / (at.b1() - at.b3() * at.b3() / at.b2()), p = -at.b3() * q / at.b2();
-    z.spin += (at.rn * q + at.rt * p) * scene.body.inverse_inertia;
-    return z;
-}
-
-template <class J>
-struct SegmentFollower {
+struct SmoothPieces {
+    const ContactScene<double>& plain;
     const ContactScene<J>& scene;
-    ContactState<J> z;
-    int vertex_step = 0;
     long steps = 0;
 
-    /// To the other vertex of the edge, where it is another: one number up or down.
-    void change_vertex(int to) {
-        if (to == vertex_step) return;
-        const J side(to > vertex_step ? 1 : -1);
-        z.psi += side * J(2) * scene.half_chord;
-        z.chi = side * scene.widest_chi;
-        vertex_step = to;
-    }
-
-    void put_neighbour_at_wall() { z.chi = z.chi.a > 0 ? scene.widest_chi : J(-scene.widest_chi); }
-
-    /// A piece, with its last event; `next` is the piece after it, if there is one.
-    void follow(const ContactSegment& piece, const ContactSegment* next) {
-        change_vertex(piece.vertex_step);
-        z = with_values(z, piece.from);
+    ContactState<J> end_of(const ContactSegment& piece, bool first_lifts, const ContactState<J>& from) {
         const Problem<J> problem{scene, piece.support, piece.motion};
-        const double duration = piece.end - piece.start;
-        if (duration > 0 && problem.sticks()) z = stopped(scene, piece.support, z);
-        const bool first_lifts = next && next->vertex_step != piece.vertex_step;
-        if (duration > 0 || piece.finish == ContactEvent::strike) {
-            const LastStep<J> last = last_step(problem, z, duration, steps);
-            const J t(last.time);
-            const auto event = vanishing(problem, piece.finish, first_lifts, last.step.series(), t);
-            const double rates = 1 + std::abs(piece.to.ut) + std::abs(piece.to.spin);
-            const bool passes = std::abs(event.rate) > 64 * epsilon<double>() * rates;
-            z = with_values(last.step.at(passes ? J(t + event.shift()) : t).contact(), piece.to);
-        }
-        if (piece.finish == ContactEvent::stick) z.ut = J(0);
-        if (piece.finish == ContactEvent::strike && next) settle(*next);
+        const LastStep<J> last = last_step(problem, from, piece.end - piece.start, steps);
+        const J t(last.time);
+        const auto event = vanishing(problem, piece.finish, first_lifts, last.step.series(), t);
+        const double rates = 1 + std::abs(piece.to.ut) + std::abs(piece.to.spin);
+        const bool passes = std::abs(event.rate) > 64 * epsilon<double>() * rates;
+        return last.step.at(passes ? J(t + event.shift()) : t).contact();
     }
-
-    /// The neighbour strikes and rests on the wall: the next piece begins on their edge.
-    void settle(const ContactSegment& next) {
-        const int struck = vertex_step + (z.chi.a > 0 ? -1 : 1);
-        vertex_step = next.vertex_step;
-        put_neighbour_at_wall();
-        const Strike<J> rest = strike_in_contact(scene, post_impact_state(scene, z), true);
-        ChatterCompletion<J> on;
-        on.support = Support::edge;
-        on.vertex_step = next.vertex_step - struck;
-        on.state = with_values(on.state, next.from);
-        z = landed_like(scene, rest.after, on, rest.after);
-    }
-
-    PostImpactState<J> finish(const ContactScene<double>& plain, const ContactPhase<double>& phase) {
-        Strike<J> strike;
-        if (phase.finish == ContactEvent::strike) {
-            const ContactSegment& last = phase.segments.back();
-            const bool plastic = last.steps > 0 && contact_detail::ends_second_chatter(plain, last.motion, last.to);
-            put_neighbour_at_wall();
-            return strike_in_contact(scene, post_impact_state(scene, z), plastic).after;
-        }
-        change_vertex(phase.vertex_step);
-        PostImpactState<J> end = post_impact_state(scene, z);
-        if (phase.finish == ContactEvent::jam) jam_once(scene, end, strike);
-        return end;
+    bool ends_second_chatter(const ContactSegment& last) const {
+        return contact_detail::ends_second_chatter(plain, last.motion, last.to);
     }
 };
 
@@ -179,11 +112,11 @@ template <class J>
 PostImpactState<J> contact_along(const ContactScene<double>& plain, const ContactScene<J>& scene,
                                  const ContactPhase<double>& phase, const ContactState<J>& landing, int vertex_step,
                                  long* steps) {
-    SegmentFollower<J> follower{scene, landing, vertex_step};
-    for (std::size_t i = 0; i < phase.segments.size(); ++i)
-        follower.follow(phase.segments[i], i + 1 < phase.segments.size() ? &phase.segments[i + 1] : nullptr);
-    if (steps) *steps += follower.steps;
-    return follower.finish(plain, phase);
+    SmoothPieces<J> pieces{plain, scene};
+    contact_detail::SegmentFollower<J, SmoothPieces<J>> follower{scene, pieces, landing, vertex_step};
+    const PostImpactState<J> end = follower.follow(phase);
+    if (steps) *steps += pieces.steps;
+    return end;
 }
 
 #define SWIRL_COMPILE_CONTACT_ALONG(J)                                                             \

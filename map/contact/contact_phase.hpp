@@ -26,9 +26,10 @@ struct ContactSegment {
     long steps = 0;    ///< number of power series
 };
 
-/// A disk at rest against a dish with dry friction (map/dry): its contact neither slips nor turns it.
-inline bool rests_on_rim(const ContactSegment& piece) {
-    return piece.support == Support::rim && piece.motion == ContactMotion::sticking && piece.from.spin == 0 &&
+/// A body at rest against a dish with dry friction (map/dry), on its rim or a vertex: neither slips nor turns. (On an
+/// edge `sticking` is rest, whatever the floor.)
+inline bool rests_in_dish(const ContactSegment& piece) {
+    return piece.support != Support::edge && piece.motion == ContactMotion::sticking && piece.from.spin == 0 &&
            piece.to.spin == 0 && piece.end > piece.start;
 }
 

@@ -34,7 +34,12 @@ ContactScene<double> in_double(const ContactScene<T>& scene) {
     rounded.tangential_restitution = number(scene.body.tangential_restitution);
     ContactScene<double> contact = contact_scene(make_body(rounded), rounded.mu, rounded.restitution, scene.rule);
     const ContactFloor<T>& floor = scene.floor;
-    contact.floor = {floor.drags, number(floor.drag), number(floor.spin_drag), number(floor.tilt)};
+    contact.floor = {floor.drags,
+                     number(floor.drag),
+                     number(floor.spin_drag),
+                     number(floor.tilt),
+                     {number(floor.push.x), number(floor.push.y)},
+                     number(floor.turning)};
     return contact;
 }
 

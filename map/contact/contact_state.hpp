@@ -41,14 +41,16 @@ ContactState<double> in_double(const ContactState<T>& z) {
             static_cast<double>(z.spin)};
 }
 
-/// What a floor that drags (map/dragged/README.md) adds to the motion in contact: −γX′ and −γ_r S, and of a table −iγ
-/// times the swirl's arm. X′ of the centre is, in the axes n and t, (S r_t, u_t − S r_n) of a vertex that is in
-/// contact.
+/// What a floor adds to the motion in contact. One that drags (map/dragged/README.md): −γX′ and −γ_r S, and of a table
+/// −iγ times the swirl's arm. X′ of the centre is, in the axes n and t, (S r_t, u_t − S r_n) of a vertex that is in
+/// contact. One with dry friction (map/dry/README.md): what it pushes at a moment.
 template <class T>
 struct ContactFloor {
-    bool drags = false;
+    bool drags = false;     ///< or pushes: else there is none
     T drag{}, spin_drag{};  ///< γ, γ_r
     T tilt{};               ///< γ of a table, 0 of a dish: the swirl's force is (1 − iγ[table]) w
+    Vec2<T> push{};         ///< of dry friction, on the centre, in the axes of the swirl's arm
+    T turning{};            ///< of dry friction: its torque by I
 };
 
 /// What sustained contact needs of a scene.
@@ -82,16 +84,18 @@ template <class T>
 ContactScene<T> contact_scene(const Body<T>& body, const Scene<T>& scene, ImpactRule rule, bool over_floor = false) {
     ContactScene<T> contact = contact_scene(body, scene.mu, scene.restitution, rule);
     if (!over_floor && !scene.has_drag()) return contact;
-    contact.floor = {true, scene.drag, scene.turning_drag(), scene.floor == Floor::table ? scene.drag : T(0)};
+    contact.floor = {true, scene.drag, scene.turning_drag(), scene.floor == Floor::table ? scene.drag : T(0), {}, {}};
     return contact;
 }
 
-/// The swirl's force on the body along n and t: β(cos ψ, −sin ψ), turned by the table's drag.
+/// The swirl's force on the body along n and t: β(cos ψ, −sin ψ), turned by the table's drag, with the floor's push.
 template <class T>
 Vec2<T> swirl_force(const ContactScene<T>& scene, const Vec2<T>& psi) {
     const T wn = scene.body.beta * psi.x, wt = -scene.body.beta * psi.y;
     if (!scene.floor.drags) return {wn, wt};
-    return {wn + scene.floor.tilt * wt, wt - scene.floor.tilt * wn};
+    const Vec2<T>& push = scene.floor.push;
+    return {wn + scene.floor.tilt * wt + (push.x * psi.x + push.y * psi.y),
+            wt - scene.floor.tilt * wn + (push.y * psi.x - push.x * psi.y)};
 }
 
 /// The state in contact just after an impact that left no normal velocity.

@@ -102,12 +102,14 @@ struct RemainingChatter {
     T along;                 ///< a_t
 };
 
-/// What a floor adds to a_t at u_t = 0: of the centre −γX′, of a vertex −γ_r S r_n besides, of a disk's rim −γ_r αS.
+/// What a floor adds to a_t at u_t = 0: of the centre −γX′ and the push, of a vertex (−γ_r S + its torque by I) r_n
+/// besides, of a disk's rim that by α.
 template <class T>
-T along_by_drag(const ContactScene<T>& scene, const PostImpactState<T>& z) {
+T along_by_floor(const ContactScene<T>& scene, const PostImpactState<T>& z) {
     const ContactFloor<T>& floor = scene.floor;
     const T rn = scene.is_disk() ? scene.body.alpha : T(scene.body.alpha * z.chi.x);
-    return (floor.drag - floor.spin_drag) * z.spin * rn - floor.tilt * scene.body.beta * z.psi.x;
+    return ((floor.drag - floor.spin_drag) * z.spin + floor.turning) * rn - floor.tilt * scene.body.beta * z.psi.x +
+           (floor.push.y * z.psi.x - floor.push.x * z.psi.y);
 }
 
 /// Just after an impact.
@@ -118,7 +120,7 @@ RemainingChatter<T> remaining_chatter(const ContactScene<T>& scene, const PostIm
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T turning = scene.is_disk() ? T(0) : T(post_impact.spin * post_impact.spin * u.rt);
     T along = -scene.body.beta * post_impact.psi.y - turning;
-    if (scene.floor.drags) along += along_by_drag(scene, post_impact);
+    if (scene.floor.drags) along += along_by_floor(scene, post_impact);
     return {u, acceleration, along};
 }
 
@@ -376,7 +378,7 @@ T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post
     const T free = wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
     if (!scene.floor.drags) return free;
     const T rt = body.alpha * post_impact.chi.y;
-    return free - (scene.floor.drag - scene.floor.spin_drag) * post_impact.spin * rt;
+    return free - ((scene.floor.drag - scene.floor.spin_drag) * post_impact.spin + scene.floor.turning) * rt;
 }
 
 template <class T>

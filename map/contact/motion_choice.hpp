@@ -16,6 +16,7 @@ struct MotionChoice {
     ContactState<T> state;
     int vertex_step = 0;                        ///< an edge may lift: −1, 0 or 1
     ContactEvent ends = ContactEvent::release;  ///< if it does not stay: release or jam
+    bool resolved = true;                       ///< false: no motion agrees with the forces of its own
 };
 
 /// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. Of an

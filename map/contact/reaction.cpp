@@ -42,15 +42,20 @@ Reaction<T> on_rim(const ContactScene<T>& scene, ContactMotion motion, const Con
     r.normal = wn + rho * turning * turning;
     if (motion == ContactMotion::sticking) {
         r.friction = -kappa * wt / (T(1) + kappa);
-        if (floor.drags) r.friction += kappa * (floor.drag - floor.spin_drag) * rho * turning / (T(1) + kappa);
+        if (floor.drags)
+            r.friction +=
+                (kappa * (floor.drag - floor.spin_drag) * rho * turning - kappa * body.alpha * floor.turning) /
+                (T(1) + kappa);
         r.reserve = scene.mu * r.normal - abs(r.friction);
     } else {
         r.friction = -scene.mu * sign_of<T>(motion) * r.normal;
         r.ut_rate = wt + r.friction * (T(1) + T(1) / kappa);
-        if (floor.drags) r.ut_rate -= floor.drag * rho * turning + floor.spin_drag * body.alpha * z.spin;
+        if (floor.drags)
+            r.ut_rate -=
+                floor.drag * rho * turning + floor.spin_drag * body.alpha * z.spin - body.alpha * floor.turning;
     }
     r.spin_rate = r.friction / (kappa * body.alpha);
-    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin;
+    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin - floor.turning;
     return r;
 }
 
@@ -66,7 +71,8 @@ Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const 
     if (motion == ContactMotion::sticking) {
         const T about_vertex = body.inertia + body.alpha * body.alpha;
         r.spin_rate = (rt * wn - rn * wt) / about_vertex;
-        if (floor.drags) r.spin_rate -= drag_about(scene, body.alpha) * z.spin / about_vertex;
+        if (floor.drags)
+            r.spin_rate -= (drag_about(scene, body.alpha) * z.spin - body.inertia * floor.turning) / about_vertex;
         r.normal = wn - r.spin_rate * rt - spin2 * rn;
         r.friction = -wt - r.spin_rate * rn + spin2 * rt;
         if (floor.drags) {
@@ -79,11 +85,11 @@ Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const 
     const T smu = scene.mu * sign_of<T>(motion);
     r.stiffness = T(1) + rt * (rt - smu * rn) / body.inertia;
     T pull = wn + z.ut * z.ut - spin2 * rn;
-    if (floor.drags) pull -= (floor.drag - floor.spin_drag) * z.spin * rt;
+    if (floor.drags) pull -= ((floor.drag - floor.spin_drag) * z.spin + floor.turning) * rt;
     r.normal = pull / r.stiffness;
     r.friction = -smu * r.normal;
     r.spin_rate = (rn * r.friction + rt * r.normal) / body.inertia;
-    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin;
+    if (floor.drags) r.spin_rate -= floor.spin_drag * z.spin - floor.turning;
     r.ut_rate = wt + r.friction + r.spin_rate * rn - spin2 * rt;
     if (floor.drags) r.ut_rate -= floor.drag * (z.ut - z.spin * rn);
     return r;
@@ -122,6 +128,7 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
     Reaction<T> r;
     if (motion == ContactMotion::sticking) {
         r.friction = -d * wt;
+        if (floor.drags) r.friction -= body.inertia * floor.turning;
         const T difference = (-wt - r.friction * c) / s;
         r.reserve = edge_reserve(scene, r.friction, difference, wn);
         // One of the possible pairs, the one without tension along the edge: f₁ = f₂.
@@ -131,7 +138,9 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
     }
     const T smu = scene.mu * sign_of<T>(motion);
     T lean = -wt * body.inertia / inertia;
-    if (floor.drags) lean += (floor.drag - floor.spin_drag) * d * z.spin * body.inertia / inertia;
+    if (floor.drags)
+        lean +=
+            ((floor.drag - floor.spin_drag) * d * z.spin * body.inertia + floor.turning * d * body.inertia) / inertia;
     r.stiffness = c + smu * smu * (c - d / inertia);
     const T sum = (wn + d * z.spin * z.spin - smu * lean) / r.stiffness;
     const T difference = (smu * sum * (c - d / inertia) + lean) / s;
@@ -139,7 +148,7 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
     r.second = T(0.5) * (sum - difference);
     r.friction = -smu * sum;
     r.spin_rate = (r.friction + d * wt) / inertia;
-    if (floor.drags) r.spin_rate -= drag_about(scene, d) * z.spin / inertia;
+    if (floor.drags) r.spin_rate -= (drag_about(scene, d) * z.spin - body.inertia * floor.turning) / inertia;
     r.ut_rate = r.spin_rate;
     return r;
 }

@@ -10,6 +10,7 @@
 //     vertex:  λ gains −γS r_t, u_t′ gains −γ(u_t − S r_n), S′ gains −γ_r S
 //     rim:     ρν″ gains −γρν′, S′ gains −γ_r S
 //     edge:    (I + d²)S′ gains −(γd² + γ_r I)S, w_t in the balance along the wall −(γ − γ_r) dS.
+// A push of the floor is in w; its torque, by I, is added to S′ = (r_n f + r_t λ)/I.
 // Sliding: f = −μ sign(u_t) λ. Sticking: u_t = 0. Source: Routh's equations of a rigid body with one or two unilateral
 // constraints (Brogliato, Nonsmooth Mechanics, 3rd ed. 2016, ch. 5); derived in map/contact/README.md.
 #pragma once

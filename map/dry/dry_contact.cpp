@@ -6,7 +6,9 @@
 #include "map/first_contact/vertices.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace swirl {
@@ -85,8 +87,11 @@ public:
 
     DryContact find() {
         result_.moment = moment_at(course_.station(), 0);
-        if (flight_.start.struck && !leaves()) return ended(FirstContactOutcome::sustained);
-        return find_from_here();
+        if (!flight_.start.struck) return find_from_here();
+        Gap<double> gap = struck_gap_at_start(flight_);
+        if (detail::stays(body_, flight_.start, gap)) return ended(FirstContactOutcome::sustained);
+        // What rounding alone has given a velocity leaves as after a release.
+        return gap.rate < -detail::rate_rounding(body_, flight_.start) ? find_from_here() : find_after_release();
     }
 
     DryContact find_after_release() {
@@ -94,6 +99,7 @@ public:
         if (course_.has_stopped()) return stopped();
         do course_.advance();
         while (course_.station().time < least_fall && !course_.has_stopped());
+        if (course_.has_stopped() && course_.station().time < least_fall) return stopped();  // but for rounding at once
         double clear = course_.step();
         for (int halvings = 0; !falls_until(clear); clear *= 0.5)
             if (++halvings > 60) return ended(FirstContactOutcome::unresolved);
@@ -130,22 +136,42 @@ private:
         return dry_moment<shape>(flight_, station.time + later, slowing_after(flight_, station, later));
     }
 
-    bool leaves() const {
-        Gap<double> gap = struck_gap_at_start(flight_);
-        return !detail::stays(body_, flight_.start, gap);
-    }
-
-    /// Does the gap of a disk fall on the last step until then?
+    /// Does the gap of what leaves the wall fall on the last step until then?
     bool falls_until(double later) const {
         constexpr int moments = 10;
-        double before =
-            course_.before().time > 0 ? centre_value(body_, flight_.start, moment_at(course_.before(), 0).at) : 0;
+        Gaps before = course_.before().time > 0 ? gaps_at(moment_at(course_.before(), 0)) : Gaps{};
         for (int k = 1; k <= moments; ++k) {
-            const double gap = centre_value(body_, flight_.start, moment_at(course_.before(), later * k / moments).at);
-            if (!(gap < before)) return false;
-            before = gap;
+            const Gaps gaps = gaps_at(moment_at(course_.before(), later * k / moments));
+            for (std::size_t i = 0; i < gaps.size(); ++i)
+                if (!(gaps[i] < before[i])) return false;
+            before = gaps;
         }
         return true;
+    }
+
+    /// Of a disk g; of a polygon those of the vertex that leaves and of its neighbours, of which one that was not on
+    /// the wall has −τ as long as it is inside.
+    using Gaps = std::array<double, shape == Shape::disk ? 1 : 3>;
+
+    Gaps gaps_at(const DryMoment<double>& moment) const {
+        if constexpr (shape == Shape::disk) {
+            return {centre_value(body_, flight_.start, moment.at)};
+        } else {
+            const int vertices[] = {0, 1, body_.sides - 1};
+            Gaps gaps{};
+            for (std::size_t i = 0; i < gaps.size(); ++i) {
+                // By what it has moved: ½|x|² grows by x₀·Δ + ½|Δ|².
+                const Vec2<double> start =
+                    flight_.start.centre + body_.turned_to_vertex(flight_.start.arm, vertices[i]);
+                const Vec2<double> moved = moment.at.moved + body_.turned_to_vertex(moment.at.arm_moved, vertices[i]);
+                const double change = dot(start, moved) + 0.5 * dot(moved, moved);
+                const double begin = 0.5 * (dot(start, start) - 1);
+                const bool was_on_wall = i == 0 || begin > -1e-12;
+                const bool is_inside = begin + change < 0;
+                gaps[i] = was_on_wall ? change : is_inside ? -moment.at.time : infinity;
+            }
+            return gaps;
+        }
     }
 
     /// Between the last two stations, from so long after the first.
@@ -248,11 +274,14 @@ DryContact first_contact(const DryFlight<double>& flight) {
     return Search<shape>(flight).find();
 }
 
+template <Shape shape>
 DryContact first_contact_after_release(const DryFlight<double>& flight) {
-    return Search<Shape::disk>(flight).find_after_release();
+    return Search<shape>(flight).find_after_release();
 }
 
 template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
 template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
+template DryContact first_contact_after_release<Shape::disk>(const DryFlight<double>&);
+template DryContact first_contact_after_release<Shape::polygon>(const DryFlight<double>&);
 
 }  // namespace swirl

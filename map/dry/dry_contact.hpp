@@ -22,10 +22,16 @@ DryContact first_contact(const DryFlight<double>& flight);
 extern template DryContact first_contact<Shape::disk>(const DryFlight<double>&);
 extern template DryContact first_contact<Shape::polygon>(const DryFlight<double>&);
 
-/// That of a disk which the wall has released: g and g′ are zero at the start, g″ too or below. The search begins at a
-/// moment up to which g was seen to fall, at ten moments of the last step (of the first, but from rest against the
-/// floor: 10⁻⁶/ω_s are passed over there), not proven to; `unresolved` if there is none.
+/// That of a body which the wall has released: g and g′ of what was on the wall are zero at the start, g″ too or below.
+/// The search begins at a moment up to which g was seen to fall, at ten moments of the last step (of the first, but
+/// from rest against the floor: 10⁻⁶/ω_s are passed over there), not proven to; `unresolved` if there is none. Of a
+/// polygon the neighbours of the vertex that leaves are seen to fall, too, where they are on the wall, else to stay
+/// inside.
+template <Shape shape>
 DryContact first_contact_after_release(const DryFlight<double>& flight);
+
+extern template DryContact first_contact_after_release<Shape::disk>(const DryFlight<double>&);
+extern template DryContact first_contact_after_release<Shape::polygon>(const DryFlight<double>&);
 
 /// g′ and g″ at the start of the vertex (disk: of the rim) that is on the wall; without g‴.
 Gap<double> struck_gap_at_start(const DryFlight<double>& flight);

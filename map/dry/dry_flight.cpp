@@ -51,11 +51,16 @@ double DryCourse::longest() const {
     const double to_stop = std::max(detail::shortest_step, 0.5 * (slip.sliding + slip.spinning) / change);
     const Body<double>& body = *flight_.body;
     Vec2<double> arm{body.alpha, 0};
+    double along_rate = 0;
     if (body.sides != disk_sides) {
         arm = turned(flight_.start.arm, cis_minus_one(flight_.start.spin * station_.time + station_.y[4]));
         change += std::fabs(slip.spin) * slip.sliding;
+        Vec2<double> rate{station_.rate[2], station_.rate[3]};
+        if (flight_.is_dish)  // i w turns
+            rate = rate + flight_.start.beta * turned(flight_.start.phase, cis_minus_one(station_.time));
+        along_rate = (dot(rate, arm) + slip.spin * dot(slip.velocity, quarter_turned(arm))) / body.alpha;
     }
-    const double to_border = flight_.pressure->step_to_border(body, slip.velocity, slip.spin, arm, change);
+    const double to_border = flight_.pressure->step_to_border(body, slip.velocity, slip.spin, arm, change, along_rate);
     return std::min({to_stop, to_border, longest_step});
 }
 

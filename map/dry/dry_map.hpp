@@ -3,13 +3,14 @@
 #pragma once
 
 #include "map/collision_map.hpp"
-#include "map/contact/chatter_completion.hpp"
+#include "map/contact/release.hpp"
 #include "map/dry/dry_contact.hpp"
 #include "map/dry/riding.hpp"
-#include "map/dry/rim_motion.hpp"
+#include "map/dry/wall_contact.hpp"
 #include "map/map_list.hpp"
 
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -41,9 +42,7 @@ Flight<T> resting(const DryFlight<T>& flight, const DryMoment<T>& moment) {
 }
 
 /// F over a floor whose friction is dry (Coulomb), with uniform pressure under the body; a_f = 0 gives CollisionMap's
-/// to rounding. Where the body comes to stay on the wall F ends (`FirstContactOutcome::sustained`); of a disk contact
-/// is followed from there (rim_contact.hpp). That is as of CornerMap: after an impact that leaves at v with the
-/// acceleration a > 0 back to the wall if 2v² ≤ 16 ε a (1 − e), or if v is rounding.
+/// to rounding. Contact with the wall is followed beside it (wall_contact.hpp).
 template <class T, Shape shape_, ImpactRule rule_>
 class DryMap {
 public:
@@ -91,36 +90,40 @@ public:
     void advance(const Flight<T>& start, Collision<T>& collision) const {
         static_assert(std::is_same_v<T, double>, "in Jets flights are followed along one in double");
         const DryFlight<T> flight = dry_flight(start);
-        if (stays_on_wall(flight)) {
-            collision.outcome = FirstContactOutcome::sustained;
-            return;
-        }
         end(flight, first_contact<shape>(flight), collision);
     }
 
-    /// The first impact of a disk that the wall has released.
-    Collision<T> advance_after_release(const Flight<T>& start) const requires(shape == Shape::disk) {
+    /// The first impact of a body that the wall has released.
+    Collision<T> advance_after_release(const Flight<T>& start) const {
         const DryFlight<T> flight = dry_flight(start);
         Collision<T> collision;
-        end(flight, first_contact_after_release(flight), collision);
+        end(flight, first_contact_after_release<shape>(flight), collision);
         return collision;
     }
 
-    /// What a disk's contact needs; refers to this map.
-    RimScene<T> rim() const requires(shape == Shape::disk) {
-        return {&body(), scene_.mu, pressure_.get(), scene_.floor_deceleration(), scene_.floor == Floor::dish};
+    /// What contact needs; refers to this map.
+    DryWall<T> wall() const {
+        return {contact_scene(body(), scene_.mu, scene_.restitution, rule), pressure_.get(),
+                scene_.floor_deceleration(), scene_.floor == Floor::dish};
     }
 
     /// It rests in the laboratory, on a table, until the wall comes. A body that the wall has pushed as far as it comes
     /// is touched by it once a turn, along the wall and at rest against it: nothing moves it any more.
     void advance_from_rest(const DryFlight<T>& flight, const DryMoment<T>& moment, Collision<T>& collision) const {
-        const double rounding = 64 * epsilon<double>();
+        constexpr double rounding = 1e-11;  // what many steps on the wall leave of its place
         const Vec2<double> place = moment.at.centre + moment.at.swirl;
         if (body().beta + farthest_point(body(), place, moment.at.arm) <= 1 + rounding) {
             collision.outcome = FirstContactOutcome::no_contact;
             return;
         }
-        impacts_.advance(resting(flight, moment), collision);
+        const Flight<T> rest = resting(flight, moment);
+        const bool leaves_wall = rest.struck;  // which has brought it to rest
+        const auto contact = leaves_wall ? contact_after_release<shape>(body(), rest) : std::nullopt;
+        if (contact) {
+            collide(rest, *contact, contact->at, collision);
+        } else {
+            impacts_.advance(rest, collision);
+        }
         collision.flight_time = collision.flight_time + moment.at.time;
     }
 
@@ -139,20 +142,17 @@ public:
 private:
     void end(const DryFlight<T>& flight, const DryContact& contact, Collision<T>& collision) const {
         if (contact.has_stopped) return advance_from_rest(flight, contact.moment, collision);
-        const FirstContact<T>& found = contact.found;
+        collide(arriving(flight, contact.moment), contact.found, contact.moment.at, collision);
+    }
+
+    void collide(const Flight<T>& flight, const FirstContact<T>& found, const Instant<T>& at,
+                 Collision<T>& collision) const {
         if (found.outcome == FirstContactOutcome::contact)
-            impacts_.strike(arriving(flight, contact.moment), contact.moment.at, found.arm, found.vertex, collision);
+            impacts_.strike(flight, at, found.arm, found.vertex, collision);
         collision.outcome = found.outcome;
         collision.steps = found.steps;
         collision.vertex_step = found.vertex;
         collision.simultaneous = found.simultaneous;
-    }
-
-    bool stays_on_wall(const DryFlight<T>& flight) const {
-        if (!flight.start.struck || !(scene_.restitution < T(1))) return false;
-        const Gap<T> gap = struck_gap_at_start(flight);  // g′ = 2u_n, g″ = 2a
-        const T v = T(-0.5) * gap.rate, acceleration = T(0.5) * gap.curvature;
-        return acceleration > 0 && T(2) * v * v <= chatter_tolerance<T>() * acceleration * (T(1) - scene_.restitution);
     }
 
     Scene<T> scene_;

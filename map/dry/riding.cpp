@@ -52,15 +52,14 @@ bool rides(const DryFlight<double>& flight, const DryMoment<double>& moment) {
         0.5 * damping * flight.pressure->square() * body.alpha * body.alpha * body.inverse_inertia;
     // Its way is at most |δ|/λ times the condition of the two eigenvectors, below 4 but near damping = 2: bounded by 8.
     const double left = 8 * (apart / slowest + turning / spin_damping);
-    return detail::magnitude(circle.middle) + speed + left < body.inner;
+    return farthest_point(body, circle.middle, moment.at.arm) + speed + left < 1;
 }
 
 std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Flight<double>& start, bool released) {
     return with_dry_map(scene, [&](const auto& map) -> std::optional<Riding> {
         constexpr Shape shape = std::decay_t<decltype(map)>::shape;
         const DryFlight<double> flight = map.dry_flight(start);
-        const DryContact end =
-            shape == Shape::disk && released ? first_contact_after_release(flight) : first_contact<shape>(flight);
+        const DryContact end = released ? first_contact_after_release<shape>(flight) : first_contact<shape>(flight);
         const DryMoment<double>& moment = end.moment;
         FirstContactOutcome outcome = end.found.outcome;
         if (end.has_stopped) {
@@ -76,8 +75,8 @@ std::optional<Riding> riding_over_dry_floor(const Scene<double>& scene, const Fl
         }
         if (body.beta > flight.deceleration) {
             const Circle circle = circle_of(flight, moment);
-            return Riding{circle.middle, circle.radius, body.inner - circle.radius - detail::magnitude(circle.middle),
-                          0};
+            return Riding{circle.middle, circle.radius,
+                          1 - circle.radius - farthest_point(body, circle.middle, moment.at.arm), 0};
         }
         const Vec2<double>& place = moment.at.centre;
         return Riding{place, 0, 1 - farthest_point(body, place, moment.at.arm), 0};

@@ -74,15 +74,18 @@ std::vector<UniformPressure::Harmonic> UniformPressure::harmonics(int shift) con
 }
 
 double UniformPressure::step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin,
-                                       const Vec2<double>& arm, double change) const {
+                                       const Vec2<double>& arm, double change, double along_rate) const {
     const double speed = std::hypot(velocity.x, velocity.y), rim = body.alpha * std::fabs(spin);
     if (sides_ == disk_sides) return std::max(shortest_across_border, std::fabs(speed - rim) / change);
     // In the axes of the arm, and about the nearest side's normal.
     const Vec2<double> pivot =
         seen_from(arm, quarter_turned(Vec2<double>(std::copysign(1.0, spin) * velocity)));  // by α|S|
     if (sides_ == rod_sides) {
-        const double past = std::max(0.0, std::fabs(pivot.x) / body.alpha - rim);
-        return std::max(shortest_across_rod, std::hypot(past, pivot.y / body.alpha) / change);
+        const double past = std::max(0.0, std::fabs(pivot.x) / body.alpha - rim), off = std::fabs(pivot.y) / body.alpha;
+        // At the rate of now, and as it may change where U and αS turn.
+        const double rate = std::fabs(along_rate), rise = change * (change / (speed + rim) + std::fabs(spin));
+        const double to_line = off > 0 ? 2 * off / (rate + std::sqrt(rate * rate + 2 * rise * off)) : 0;
+        return std::max({shortest_across_rod, past / change, to_line});
     }
     const double half = pi<double>() / sides_, angle = std::atan2(pivot.y, pivot.x) - half;
     const double off = angle - 2 * half * std::round(angle / (2 * half));

@@ -41,9 +41,10 @@ public:
     /// A step of an integration that does not reach across the body's border with the point that does not slide, iU/S
     /// from the centre: on the border the means have no third derivative (rod: on it no second), and an error estimate
     /// is blind to a step across it. Shorter than what leaves ε on a border that is crossed it never is.
-    ///   change  bounds |U|′ + α|S|′
+    ///   change      bounds |U|′ + α|S|′
+    ///   along_rate  of U along the arm, in axes that turn with it: a rod's border is its line, on which that is 0
     double step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin, const Vec2<double>& arm,
-                          double change) const;
+                          double change, double along_rate) const;
 
     double distance() const { return distance_; }  ///< ⟨|ρ|⟩, in R_p
     double square() const { return square_; }      ///< ⟨|ρ|²⟩, in R_p²
@@ -130,7 +131,7 @@ template <class T>
 struct AlongSegment {
     T start_radius, end_radius;  ///< |ξ| at its ends
     T distance;                  ///< d
-    T inverse{};                 ///< ∫ du/|ξ|; 0 where d = 0, where it is not used
+    T inverse{};                 ///< ∫ du/|ξ|; 0 where d is none but rounding, where it is not used
     T radius{};                  ///< ∫ |ξ| du
 };
 
@@ -152,7 +153,8 @@ AlongSegment<T> along_segment(const Vec2<T>& from, const Vec2<T>& tangent, const
     along.end_radius = length_of(Vec2<T>(from + length * tangent));
     along.distance = dot(from, normal);
     const T square = along.distance * along.distance;
-    if (plain(square) > 0) {
+    const auto rounding = epsilon<Plain<T>>() * plain(length);  // within it an end may lie at the point itself
+    if (plain(square) > rounding * rounding) {
         // of the three forms of ln((end + R_end)/(start + R_start)) the one without differences
         if (plain(start) >= 0)
             along.inverse = log((end + along.end_radius) / (start + along.start_radius));

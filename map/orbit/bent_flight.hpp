@@ -39,11 +39,12 @@ using BendFlight = std::function<std::shared_ptr<const BentFlight>(const FlightB
 struct ContactPlace {
     ContactState<double> state;
     double turned = 0;                ///< ∫ S dt
-    double normal = 0, friction = 0;  ///< the wall's force, −λ n + f t, in m R_c ω_s²
+    double normal = 0, friction = 0;  ///< the wall's force, −λ n + f t, in m R_c ω_s²; of an edge the sums of both
 };
 
 /// `later`: so short a time, in 1/ω_s, that one step of the integration gives it to rounding.
-using BendContact = std::function<ContactPlace(ContactMotion motion, const ContactState<double>& from, double later)>;
+using BendContact =
+    std::function<ContactPlace(Support support, ContactMotion motion, const ContactState<double>& from, double later)>;
 
 /// What moves the bodies of a scene; both empty where flights are straight or in closed form.
 struct BentPaths {

@@ -1,7 +1,7 @@
 #include "map/orbit/dry_path.hpp"
 
 #include "map/dry/dry_map.hpp"
-#include "map/dry/rim_course.hpp"
+#include "map/dry/wall_course.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -12,12 +12,17 @@ namespace swirl {
 
 namespace {
 
-/// What the flights of a scene share.
+/// What the flights and contacts of a scene share.
 struct Surroundings {
-    Body<double> body;
     UniformPressure pressure;
-    double deceleration;
-    bool is_dish;
+    DryWall<double> wall;
+
+    explicit Surroundings(const Scene<double>& scene)
+        : pressure(scene.sides),
+          // The law plays no part between impacts.
+          wall{contact_scene(make_body(detail::over_smooth_floor(scene)), scene.mu, scene.restitution,
+                             ImpactRule::poisson),
+               &pressure, scene.floor_deceleration(), scene.floor == Floor::dish} {}
 };
 
 /// A flight with the stations of its integration.
@@ -35,7 +40,7 @@ private:
 
 DryPath::DryPath(std::shared_ptr<const Surroundings> around, const FlightBegin& begin, double lasts)
     : around_(std::move(around)) {
-    const Body<double>& body = around_->body;
+    const Body<double>& body = around_->wall.contact.body;
     Flight<double> start;
     start.phase = cis(begin.time);
     start.beta = body.beta;
@@ -43,7 +48,7 @@ DryPath::DryPath(std::shared_ptr<const Surroundings> around, const FlightBegin& 
     start.velocity = begin.velocity;
     start.arm = body.alpha * cis(begin.angle);
     start.spin = begin.spin;
-    flight_ = {start, &body, &around_->pressure, around_->deceleration, around_->is_dish};
+    flight_ = {start, &body, &around_->pressure, around_->wall.deceleration, around_->wall.is_dish};
     DryCourse course(flight_);
     stations_.push_back(course.station());
     while (!course.has_stopped() && course.station().time < lasts) {
@@ -68,37 +73,34 @@ BentFlight::Place DryPath::at(double later) const {
     return {moment.at.centre + swirl, rests ? 0 : moment.spin, moment.turned};
 }
 
-ContactPlace contact_after(const Surroundings& around, double mu, ContactMotion kind, const ContactState<double>& from,
-                           double later) {
-    const RimScene<double> scene{&around.body, mu, &around.pressure, around.deceleration, around.is_dish};
-    const RimMotion motion = rim_motion_at(scene, kind, from);
-    RimCourse course(scene, motion, from, later);
+ContactPlace contact_after(const Surroundings& around, Support support, ContactMotion kind,
+                           const ContactState<double>& from, double later) {
+    const DryWall<double>& wall = around.wall;
+    const DryMotion motion = dry_motion_at(wall, support, kind, from);
+    WallCourse course(wall, motion, from, later);
     while (course.station().time < later) course.advance(later - course.station().time);
-    const RimPlace<double>& y = course.station().y;
+    const DryPlace<double>& y = course.station().y;
     const ContactState<double> state = contact_of(y);
     if (motion.rests) {
-        const RimRest rest = rest_on_rim(scene, state.psi);
-        return {state, 0, rest.normal, rest.friction};
+        const HeldAtRest held = held_at_rest(wall, support, state);
+        return {state, 0, held.normal, held.friction};
     }
-    const RimForces<double> forces = rim_forces(scene, motion, state);
-    return {state, y[3], forces.normal, forces.friction};
+    const Reaction<double> r = reaction_over(wall, course.motion(), state);
+    return {state, y[4], r.normal + r.second, r.friction};
 }
 
 }  // namespace
 
 BentPaths dry_paths(const Scene<double>& scene) {
     if (!scene.has_dry_floor()) return {};
-    const auto around = std::make_shared<const Surroundings>(
-        Surroundings{make_body(detail::over_smooth_floor(scene)), UniformPressure(scene.sides),
-                     scene.floor_deceleration(), scene.floor == Floor::dish});
+    const auto around = std::make_shared<const Surroundings>(scene);
     BentPaths paths;
     paths.flight = [around](const FlightBegin& begin, double lasts) {
         return std::make_shared<const DryPath>(around, begin, lasts);
     };
-    if (scene.is_disk())
-        paths.contact = [around, mu = scene.mu](ContactMotion motion, const ContactState<double>& from, double later) {
-            return contact_after(*around, mu, motion, from, later);
-        };
+    paths.contact = [around](Support support, ContactMotion motion, const ContactState<double>& from, double later) {
+        return contact_after(*around, support, motion, from, later);
+    };
     return paths;
 }
 

@@ -6,7 +6,7 @@
 
 namespace swirl {
 
-/// The flights of a scene, and a disk's contacts; nothing without dry friction. Places later than a flight lasts are
+/// The flights and contacts of a scene; nothing without dry friction. Places later than a flight lasts are
 /// not asked for; each costs a step of the integration.
 BentPaths dry_paths(const Scene<double>& scene);
 

@@ -1,8 +1,8 @@
-// The return map over a floor with dry friction: ReturnMap, with flights of its own, and with a disk's contact.
+// The return map over a floor with dry friction: ReturnMap, with flights and contact of its own.
 #pragma once
 
 #include "map/dry/dry_map.hpp"
-#include "map/dry/rim_contact.hpp"
+#include "map/dry/wall_contact.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <optional>
@@ -27,18 +27,33 @@ Outcome ending_without_contact(const DryMap<double, shape, rule>& map) {
 template <Shape shape, ImpactRule rule>
 std::optional<Collision<double>> collision_after_release(const DryMap<double, shape, rule>& map,
                                                          const Flight<double>& flight) {
-    if constexpr (shape == Shape::disk)
-        return map.advance_after_release(flight);
-    else
-        return {};  // a polygon's contact, from which it would be released, is not followed
+    return map.advance_after_release(flight);
 }
 
-/// From just after an impact at which chatter has come to its end.
-template <ImpactRule rule>
-ContactPhase<double> follow_dry_contact(const DryMap<double, Shape::disk, rule>& map,
-                                        const PostImpactState<double>& post_impact, double horizon,
-                                        const ContactSink& sink) {
-    return follow_rim(map.rim(), post_impact, horizon, sink);
+/// By the largest push of the floor and its largest torque.
+template <Shape shape, ImpactRule rule>
+bool may_come_to_contact(const DryMap<double, shape, rule>& map, const ContactScene<double>& contact,
+                         const PostImpactState<double>& post_impact) {
+    const Body<double>& body = map.body();
+    const double most = map.scene().floor_deceleration();
+    ContactScene<double> pushed = contact;
+    pushed.floor.drags = true;
+    pushed.floor.push = {most, 0};
+    pushed.floor.turning = most * map.pressure()->distance() * body.alpha * body.inverse_inertia;
+    return may_chatter(pushed, post_impact);
+}
+
+template <Shape shape, ImpactRule rule>
+ChatterCompletion<double> completion_after(const DryMap<double, shape, rule>& map, const ContactScene<double>&,
+                                           const PostImpactState<double>& post_impact) {
+    return dry_completion(map.wall(), post_impact);
+}
+
+template <Shape shape, ImpactRule rule>
+ContactPhase<double> phase_from(const DryMap<double, shape, rule>& map, const ContactScene<double>&,
+                                const ChatterCompletion<double>& completion, double horizon,
+                                const ContactSink& sink = {}, long most_steps = most_contact_steps) {
+    return follow_dry_contact(map.wall(), completion, horizon, sink, most_steps);
 }
 
 }  // namespace swirl

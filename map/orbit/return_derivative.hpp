@@ -52,7 +52,7 @@ struct KnownContact {
           struck(known.contacts.front().steps == 0 && known.contacts.front().finish == ContactEvent::strike),
           completion(lasting_completion(map.completion(base), known.contacts)),
           phase(struck ? struck_at_once(map.contact(), base)
-                       : follow_contact(map.contact(), completion, contact_horizon)) {}
+                       : phase_from(map.map(), map.contact(), completion, contact_horizon)) {}
 
     /// The state where contact begins, with the derivatives that the scene and a state `near` carry.
     template <class J>

@@ -54,13 +54,26 @@ inline constexpr bool has_dry_floor = requires {
     Map::has_dry_floor;
 };
 
-/// Over a floor with dry friction contact is a disk's alone, and one of its own (dry_return.hpp).
-template <class Map>
-inline constexpr bool has_dry_contact = has_dry_floor<Map>&& Map::shape == Shape::disk;
+// What contact of a map is; over a floor with dry friction it is one of its own (dry_return.hpp).
 
-/// Does an orbit end where the body comes to stay on the wall?
-template <class Map>
-inline constexpr bool ends_on_wall = has_round_corners<Map> || (has_dry_floor<Map> && !has_dry_contact<Map>);
+/// `may_chatter` after an impact: false is sure.
+template <class Map, class T>
+[[gnu::always_inline]] inline bool may_come_to_contact(const Map&, const ContactScene<T>& contact,
+                                                       const PostImpactState<T>& post_impact) {
+    return may_chatter(contact, post_impact);
+}
+
+template <class Map, class T>
+ChatterCompletion<T> completion_after(const Map&, const ContactScene<T>& contact,
+                                      const PostImpactState<T>& post_impact) {
+    return chatter_completion(contact, post_impact);
+}
+
+template <class Map, class T>
+ContactPhase<T> phase_from(const Map&, const ContactScene<T>& contact, const ChatterCompletion<T>& completion,
+                           double horizon, const ContactSink& sink = {}, long most_steps = most_contact_steps) {
+    return follow_contact(contact, completion, horizon, sink, most_steps);
+}
 
 /// How an orbit ends that meets the wall no more.
 template <class Map>
@@ -118,13 +131,10 @@ public:
     /// The map must outlive it.
     explicit ReturnMap(const Map& map) : map_(map) {
         const auto& s = map.scene();
-        if constexpr (ends_on_wall<Map>) return;
-        if constexpr (has_dry_contact<Map>) {
-            contact_ = contact_scene(map.body(), s, Map::rule);
-            return;
-        }
+        if constexpr (has_round_corners<Map>) return;
         sums_chatter_ = s.restitution < T(1);
-        if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
+        const bool keeps_speed = shape == Shape::disk || Map::rule == ImpactRule::frictionless;
+        if (!has_dry_floor<Map> && !sums_chatter_ && keeps_speed) return;
         contact_ = contact_scene(map.body(), s, Map::rule);
     }
 
@@ -172,7 +182,7 @@ private:
 
     /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
-        return (contact_ || ends_on_wall<Map>)&&c.flight_time == T(0) && c.impulse.normal == T(0);
+        return (contact_ || has_round_corners<Map>)&&c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
     static bool is_no_number(const Collision<T>& c) { return is_out_of_range(c.after, c.impulse.normal); }
@@ -204,7 +214,6 @@ private:
                 return ending_without_contact(map_);
             case FirstContactOutcome::sustained:
                 if constexpr (has_round_corners<Map>) return Outcome::contact_of_corner;
-                if constexpr (has_dry_floor<Map> && ends_on_wall<Map>) return Outcome::contact_over_dry_floor;
                 return contact_ ? Outcome::unresolved : Outcome::resting;
             case FirstContactOutcome::unresolved:
                 return Outcome::unresolved;
@@ -245,17 +254,12 @@ auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
 template <class Map>
 auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horizon, const ContactSink& sink) const
     -> ReturnStep<T> {
-    if (sums_chatter_ && may_chatter(*contact_, post_impact))
-        if (const ChatterCompletion<T> completion = chatter_completion(*contact_, post_impact);
+    if (sums_chatter_ && may_come_to_contact(map_, *contact_, post_impact))
+        if (const ChatterCompletion<T> completion = completion_after(map_, *contact_, post_impact);
             completion.in_contact || completion.struck)
             return advance_in_contact(post_impact, completion, horizon, sink);
     ReturnStep<T> return_step = advance(flight_after(map_, post_impact));
-    if constexpr (has_dry_contact<Map>) {
-        if (return_step.collision.outcome == FirstContactOutcome::sustained) {
-            const ContactPhase<T> phase = follow_dry_contact(map_, post_impact, horizon, sink);
-            return ended_contact(post_impact, phase, phase.sums.work);
-        }
-    } else if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
+    if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
         return advance_in_contact(post_impact, held(post_impact), horizon, sink);
     end_if_nothing_changes(return_step);
     return return_step;
@@ -267,7 +271,7 @@ auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, cons
                                 const Fly& fly) const -> Outcome {
     Collision<T>& collision = return_step.collision;
     const PostImpactState<T> post_impact = collision.after;
-    if (!sums_chatter_ || !may_chatter(*contact_, post_impact)) [[likely]] {
+    if (!sums_chatter_ || !may_come_to_contact(map_, *contact_, post_impact)) [[likely]] {
         fly(collision);
         if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision) &&
             !is_no_number(collision)) [[likely]] {
@@ -290,7 +294,7 @@ auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, cons
 template <class Map>
 auto ReturnMap<Map>::completion(const PostImpactState<T>& post_impact) const -> ChatterCompletion<T> {
     if (!sums_chatter_) return held(post_impact);
-    const ChatterCompletion<T> completion = chatter_completion(*contact_, post_impact);
+    const ChatterCompletion<T> completion = completion_after(map_, *contact_, post_impact);
     return completion.in_contact ? completion : held(post_impact);
 }
 
@@ -298,8 +302,9 @@ template <class Map>
 auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion<T>& completion,
                                         double horizon, const ContactSink& sink, long most_steps) const
     -> ReturnStep<T> {
-    const ContactPhase<T> phase = completion.struck ? struck_at_once(*contact_, post_impact)
-                                                    : follow_contact(*contact_, completion, horizon, sink, most_steps);
+    const ContactPhase<T> phase = completion.struck
+                                      ? struck_at_once(*contact_, post_impact)
+                                      : phase_from(map_, *contact_, completion, horizon, sink, most_steps);
     return ended_contact(post_impact, phase, T(phase.sums.work + completion.jacobi));
 }
 

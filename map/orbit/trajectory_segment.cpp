@@ -50,7 +50,7 @@ Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& seg
         return {segment.from + share * (segment.to - segment.from), segment.angle + turned, segment.spin, turned};
     }
     if (segment.bent) {
-        const ContactPlace place = segment.bent(segment.motion, segment.state, later);
+        const ContactPlace place = segment.bent(segment.support, segment.motion, segment.state, later);
         return {centre_on_wall(scene, place.state, t),
                 segment.angle + place.turned,
                 place.state.spin,
@@ -119,6 +119,8 @@ void TrajectorySegmenter::add_contacts(const std::vector<ContactSegment>& segmen
         angle_ = angle + turned;
         spin_ = segment.to.spin;
         position_ = centre_on_wall(scene_, segment.to, time_);
+        const PostImpactState<double> leaving = post_impact_state(scene_, segment.to);
+        velocity_ = times(cis(time_), times(leaving.psi, Vec2<double>{leaving.vn, leaving.vt}));
     }
 }
 

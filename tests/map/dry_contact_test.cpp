@@ -1,43 +1,28 @@
 // A disk's contact over a floor with dry friction: its motions against Newton's equations in 18 digits, what is known
-// in closed form, rest and how it ends, chatter that ends in contact, and the derivative through it.
+// in closed form, rest and how it ends, and chatter that ends in contact.
 #include "map/contact/contact_run.hpp"
-#include "map/dry/rim_contact.hpp"
+#include "map/dry/wall_contact.hpp"
 #include "map/orbit/dry_path.hpp"
-#include "map/orbit/dry_return_derivative.hpp"
+#include "map/orbit/dry_return.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/orbit/trajectory_segment.hpp"
-#include "tests/map/dry_scene.hpp"
+#include "tests/map/on_wall.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <map>
-#include <optional>
 #include <random>
 #include <string>
-#include <type_traits>
 
 namespace swirl {
 namespace {
 
-using tests::number;
-
-/// A scene with a disk, and what refers to it.
-struct Disk {
-    Scene<double> scene;
-    Body<double> body;
-    UniformPressure pressure{disk_sides};
-
-    explicit Disk(const Scene<double>& s) : scene(s), body(make_body(s)) {}
-    RimScene<double> rim() const {
-        return {&body, scene.mu, &pressure, scene.floor_deceleration(), scene.floor == Floor::dish};
-    }
-};
+using tests::Draw, tests::number, tests::OnWall;
 
 Scene<double> disk_over(double deceleration, Floor floor = Floor::dish) {
     Scene<double> scene = tests::scene_over_dry_floor(deceleration, disk_sides, floor);
@@ -45,26 +30,8 @@ Scene<double> disk_over(double deceleration, Floor floor = Floor::dish) {
     return scene;
 }
 
-/// Contact from a state in it.
-ContactPhase<double> followed(const RimScene<double>& rim, const ContactState<double>& z, double horizon,
-                              const ContactSink& sink = {}) {
-    return follow_rim(rim, leaving_rim(rim, z), horizon, sink);
-}
-
-struct Draw {
-    std::mt19937_64 generator;
-    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
-};
-
 Scene<double> drawn_scene(Draw& draw) {
-    Scene<double> scene = disk_over(0);
-    scene.alpha = draw(0.1, 0.8);
-    scene.beta = draw(0.1, 1.2);
-    scene.mu = draw(0, 1) < 0.15 ? 0 : draw(0.02, 0.8);
-    scene.restitution = draw(0, 0.8);
-    scene.floor_friction = draw(0.02, 1.0) * scene.beta;
-    scene.floor = draw(0, 1) < 0.3 ? Floor::table : Floor::dish;
-    return scene;
+    return tests::drawn_over_dry_floor(draw, disk_sides);
 }
 
 TEST(DryContact, MotionsAreThoseOfNewtonsEquations) {
@@ -76,11 +43,11 @@ TEST(DryContact, MotionsAreThoseOfNewtonsEquations) {
         scene.floor_friction = number<double>(entry["floor_friction"]);
         scene.gravity_ratio = number<double>(entry["gravity_ratio"]);
         scene.floor = entry["floor"].get<std::string>() == "table" ? Floor::table : Floor::dish;
-        const Disk disk(scene);
+        const OnWall disk(scene);
         const auto start = [&](std::size_t i) { return number<double>(entry["start"][i]); };
         const auto end = [&](std::size_t i) { return number<double>(entry["end"][i]); };
         const ContactPhase<double> phase =
-            followed(disk.rim(), {start(0), 0, start(1), start(2)}, number<double>(entry["duration"]));
+            disk.followed(Support::rim, {start(0), 0, start(1), start(2)}, number<double>(entry["duration"]));
         ASSERT_FALSE(phase.segments.empty()) << entry.dump();
         const ContactSegment& piece = phase.segments.front();
         const std::string event = entry["event"].get<std::string>();
@@ -103,9 +70,9 @@ TEST(DryContact, ADiskLocksToTheSwirlWhereThirtyTwoNinthsOfPiSay) {
         Scene<double> scene = disk_over(0);
         scene.mu = 10;
         scene.floor_friction = part * scene.beta * 9 * pi<double>() / 32;
-        const Disk disk(scene);
+        const OnWall disk(scene);
         const double psi = -std::asin(part), spin = -(1 - scene.alpha) / scene.alpha;
-        const ContactPhase<double> phase = followed(disk.rim(), {psi, 0, 0, spin}, 100);
+        const ContactPhase<double> phase = disk.followed(Support::rim, {psi, 0, 0, spin}, 100);
         ASSERT_EQ(phase.segments.size(), 1U);
         // ψ swings about its place, or stays: rounding grows by no more than the time.
         EXPECT_NEAR(phase.segments[0].to.psi, psi, 1e-11) << part;
@@ -114,8 +81,8 @@ TEST(DryContact, ADiskLocksToTheSwirlWhereThirtyTwoNinthsOfPiSay) {
     Scene<double> scene = disk_over(0);
     scene.mu = 10;
     scene.floor_friction = 1.3 * scene.beta * 9 * pi<double>() / 32;
-    const Disk disk(scene);
-    const ContactPhase<double> phase = followed(disk.rim(), {0, 0, 0, -0.75}, 300);
+    const OnWall disk(scene);
+    const ContactPhase<double> phase = disk.followed(Support::rim, {0, 0, 0, -0.75}, 300);
     ASSERT_FALSE(phase.segments.empty());
     EXPECT_EQ(phase.segments[0].finish, ContactEvent::stick);  // nowhere is the pull enough: it comes to rest
 }
@@ -126,13 +93,13 @@ TEST(DryContact, ADiskThatSlidesWithoutSpinIsSlowedEitherWay) {
         Scene<double> scene = disk_over(0.02);
         scene.beta = 0;
         scene.mu = 0;
-        const Disk disk(scene);
-        const ContactPhase<double> phase = followed(disk.rim(), {0.2, 0, along, 0}, 100);
+        const OnWall disk(scene);
+        const ContactPhase<double> phase = disk.followed(Support::rim, {0.2, 0, along, 0}, 100);
         ASSERT_EQ(phase.segments.size(), 2U);
         EXPECT_NEAR(phase.segments[0].end, 15, 1e-12);
         // −t + ∫ρν′/ρ
         EXPECT_NEAR(phase.segments[0].to.psi, 0.2 - 15 + (along > 0 ? 1 : -1) * 0.5 * 0.3 * 15 / 0.6, 1e-12);
-        EXPECT_TRUE(rests_on_rim(phase.segments[1]));
+        EXPECT_TRUE(rests_in_dish(phase.segments[1]));
     }
 }
 
@@ -145,13 +112,13 @@ TEST(DryContact, ARestWithHardlyAnyFrictionOfTheWallEndsInAMotion) {
         scene.mu = std::pow(10, draw(-8, -3));
         scene.floor_friction = scene.beta * draw(0.1, 0.95);
         scene.floor = Floor::dish;
-        const Disk disk(scene);
-        const ContactPhase<double> phase = followed(disk.rim(), {0, 0, 0, 0}, 7);
+        const OnWall disk(scene);
+        const ContactPhase<double> phase = disk.followed(Support::rim, {0, 0, 0, 0}, 7);
         ASSERT_GE(phase.segments.size(), 2U)
             << seed << " mu " << scene.mu << " alpha " << scene.alpha << " beta " << scene.beta << " a "
             << scene.floor_deceleration() << " ended " << phase.sums.time << " resolved " << phase.resolved;
         EXPECT_TRUE(phase.resolved) << seed << " mu " << scene.mu;
-        EXPECT_TRUE(rests_on_rim(phase.segments[0]));
+        EXPECT_TRUE(rests_in_dish(phase.segments[0]));
         // a_f + μ w_n of pull without spin, if a little less than that
         const double psi = phase.segments[0].to.psi,
                      held = scene.floor_deceleration() + scene.mu * scene.beta * std::cos(psi);
@@ -166,7 +133,7 @@ TEST(DryContact, ARestWithHardlyAnyFrictionOfTheWallEndsInAMotion) {
 TEST(DryContact, RollingOneWayKeepsItsEnergy) {
     Scene<double> scene = disk_over(0.2);
     scene.mu = 10;
-    const Disk disk(scene);
+    const OnWall disk(scene);
     const double rho = 1 - scene.alpha, lost = 32 / (9 * pi<double>()) * 0.2;
     const auto energy = [&](const ContactState<double>& z) {
         const double rate = -scene.alpha * z.spin / rho - 1;
@@ -174,8 +141,8 @@ TEST(DryContact, RollingOneWayKeepsItsEnergy) {
     };
     const ContactState<double> start{-0.3, 0, 0, -1.9};
     double worst = 0;
-    const ContactPhase<double> phase =
-        followed(disk.rim(), start, 1000, [&](const auto&, Support, ContactMotion, const ContactState<double>& z) {
+    const ContactPhase<double> phase = disk.followed(
+        Support::rim, start, 1000, [&](const auto&, Support, ContactMotion, const ContactState<double>& z) {
             worst = std::max(worst, std::abs(energy(z) - energy(start)));
         });
     EXPECT_EQ(phase.segments.size(), 1U);
@@ -190,31 +157,31 @@ TEST(DryContact, FrictionGivesNoEnergy) {
         Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
         Scene<double> scene = drawn_scene(draw);
         scene.floor = Floor::dish;
-        const Disk disk(scene);
-        const double rho = 1 - scene.alpha, inertia = disk.body.inertia;
+        const OnWall disk(scene);
+        const double rho = 1 - scene.alpha, inertia = disk.wall.contact.body.inertia;
         ContactState<double> last{draw(-1, 1), 0, draw(-1, 1), draw(-2, 2)};
         double time = 0;
         const auto energy = [&](const ContactState<double>& z) {
             const double along = z.ut - scene.alpha * z.spin;
             return 0.5 * along * along + 0.5 * inertia * z.spin * z.spin;
         };
-        followed(disk.rim(), last, 30,
-                 [&](const ContactSums<double>& sums, Support, ContactMotion, const ContactState<double>& z) {
-                     // The swirl's power −β sin ψ ρν′ between two looks, by the trapezium: error below h³/12 of its
-                     // second derivative.
-                     const double h = sums.time - time;
-                     const auto power = [&](const ContactState<double>& y) {
-                         return -scene.beta * std::sin(y.psi) * (y.ut - scene.alpha * y.spin);
-                     };
-                     const double given = 0.5 * h * (power(last) + power(z)),
-                                  speed = 1 + std::abs(z.spin) + std::abs(z.ut);
-                     const double error = h * h * h * scene.beta * speed * speed * speed / rho / rho;
-                     EXPECT_LE(energy(z) - energy(last), given + error + 1e-13 * speed * speed)
-                         << seed << " at " << sums.time;
-                     last = z;
-                     time = sums.time;
-                     ++pieces;
-                 });
+        disk.followed(Support::rim, last, 30,
+                      [&](const ContactSums<double>& sums, Support, ContactMotion, const ContactState<double>& z) {
+                          // The swirl's power −β sin ψ ρν′ between two looks, by the trapezium: error below h³/12 of
+                          // its second derivative.
+                          const double h = sums.time - time;
+                          const auto power = [&](const ContactState<double>& y) {
+                              return -scene.beta * std::sin(y.psi) * (y.ut - scene.alpha * y.spin);
+                          };
+                          const double given = 0.5 * h * (power(last) + power(z)),
+                                       speed = 1 + std::abs(z.spin) + std::abs(z.ut);
+                          const double error = h * h * h * scene.beta * speed * speed * speed / rho / rho;
+                          EXPECT_LE(energy(z) - energy(last), given + error + 1e-13 * speed * speed)
+                              << seed << " at " << sums.time;
+                          last = z;
+                          time = sums.time;
+                          ++pieces;
+                      });
     }
     EXPECT_GT(pieces, 10'000);
 }
@@ -227,21 +194,23 @@ TEST(DryContact, RestEndsWhereAMotionBegins) {
         Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
         Scene<double> scene = drawn_scene(draw);
         scene.floor = Floor::dish;
-        const Disk disk(scene);
-        const RimScene<double> rim = disk.rim();
+        const OnWall disk(scene);
         for (int k = 0; k < 60; ++k) {
             const double psi = -pi<double>() + 2 * pi<double>() * (k + 0.5) / 60;
-            const RimRest rest = rest_on_rim(rim, psi);
-            if (std::abs(rest.reserve) < 1e-6 || std::cos(psi) < 0) continue;
-            const RimChoice choice = choose_rim_motion(rim, {psi, 0, 0, 0}, true);
-            const bool is_wedged = rest.normal > scene.beta * std::cos(psi) * (1 + 1e-9);
-            if (rest.reserve < 0 || !is_wedged) {
-                EXPECT_EQ(choice.stays, rest.reserve < 0) << seed << " psi " << psi << " reserve " << rest.reserve;
+            const ContactState<double> still{psi, 0, 0, 0};
+            const HeldAtRest held = held_at_rest(disk.wall, Support::rim, still);
+            const double reserve = disk.wall.deceleration - held.least;
+            if (std::abs(reserve) < 1e-6 || std::cos(psi) < 0) continue;
+            const DryChoice next = choose_dry_motion(disk.wall, Support::rim, still, 0, ContactEvent::slip);
+            const bool stays = next.choice.stays && !next.motion.rests;
+            const bool is_wedged = held.normal > scene.beta * std::cos(psi) * (1 + 1e-9);
+            if (reserve < 0 || !is_wedged) {
+                EXPECT_EQ(stays, reserve < 0) << seed << " psi " << psi << " reserve " << reserve;
             }
-            wedged += rest.reserve > 0 && is_wedged && choice.stays;
-            if (!choice.stays || rest.reserve > 0) continue;
+            wedged += reserve > 0 && is_wedged && stays;
+            if (!stays || reserve > 0) continue;
             ++borders;
-            ++(choice.motion.rolls() ? rolls : slips);
+            ++(next.motion.sticks() ? rolls : slips);
         }
     }
     std::printf("  %d places where it is not held: %d roll, %d slip; %d where it is wedged\n", borders, rolls, slips,
@@ -259,8 +228,8 @@ TEST(DryContact, WithoutFrictionOfTheFloorItIsTheContactWithoutIt) {
     ASSERT_EQ(known.event, ContactEvent::horizon);
     for (const double deceleration : {1e-4, 1e-8, 1e-12}) {
         scene.floor_friction = deceleration;
-        const Disk disk(scene);
-        const ContactPhase<double> phase = followed(disk.rim(), start, 5.0);
+        const OnWall disk(scene);
+        const ContactPhase<double> phase = disk.followed(Support::rim, start, 5.0);
         ASSERT_EQ(phase.segments.size(), 1U);
         const ContactState<double>& end = phase.segments[0].to;
         const double off = std::max(std::abs(end.psi - known.state.psi), std::abs(end.spin - known.state.spin));
@@ -279,13 +248,19 @@ TEST(DryContact, ChatterEndsWhereOneImpactMoreLeads) {
         scene.mu = draw(0.02, 0.8);
         scene.restitution = draw(0.3, 0.8);
         const DryMap<double, Shape::disk, ImpactRule::poisson> map(scene);
-        const RimScene<double> rim = map.rim();
-        PostImpactState<double> z = leaving_rim(rim, {draw(-1, 1), 0, draw(0.2, 1), draw(-2, 2)});
+        const OnWall disk(scene);
+        const ContactScene<double>& contact = disk.wall.contact;
+        PostImpactState<double> z =
+            post_impact_state(contact, ContactState<double>{draw(-1, 1), 0, draw(0.2, 1), draw(-2, 2)});
         z.vn -= 1e-6;  // T is some 10⁻⁶, T² v 10⁻¹⁸
         const Collision<double> next = map.advance(z);
         if (next.outcome != FirstContactOutcome::contact || next.flight_time > 1e-4) continue;
-        const ContactPhase<double> first = follow_rim(rim, z, 0.5),
-                                   second = follow_rim(rim, next.after, 0.5 - next.flight_time);
+        const auto landed = [&](const PostImpactState<double>& from, double horizon) {
+            const ContactScene<double> pushed = scene_at(disk.wall, from);
+            const ChatterCompletion<double> rim{true, Support::rim, {}, 0, 0, 0};
+            return disk.followed(Support::rim, landed_like(pushed, from, rim, from), horizon);
+        };
+        const ContactPhase<double> first = landed(z, 0.5), second = landed(next.after, 0.5 - next.flight_time);
         if (first.segments.size() != 1 || second.segments.size() != 1 || first.finish != ContactEvent::horizon)
             continue;
         const ContactState<double>&a = first.segments[0].to, &b = second.segments[0].to;
@@ -322,88 +297,6 @@ TEST(DryContact, OrbitsEndWithNames) {
     }
     for (const auto& [ending, count] : endings) std::printf("  %s: %d\n", ending.c_str(), count);
     EXPECT_GT(endings["in-contact"], 50);
-}
-
-/// Contact that lasts longer is no way to an impact here, in 1/ω_s.
-constexpr double soon = 30;
-
-template <ImpactRule rule>
-using DiskMap = DryMap<double, Shape::disk, rule>;
-
-/// A state with one coordinate changed, on the surface u_n = const, on which contact begins at once; nothing where the
-/// way from there is another.
-struct Side {
-    std::array<double, 4> from, to;
-};
-
-template <ImpactRule rule>
-std::optional<Side> side_of(const ReturnMap<DiskMap<rule>>& back, const std::array<double, 4>& here, std::size_t j,
-                            double change, std::size_t pieces) {
-    const auto state_of = [](const std::array<double, 4>& c) {
-        return post_impact_state(section_point<Shape::disk>(c));
-    };
-    const auto un_of = [&](const auto& c) { return contact_kinematics(back.map().body(), state_of(c)).un; };
-    Side side{here, {}};
-    side.from[j] += change;
-    side.from[1] += un_of(here) - un_of(side.from);
-    const auto step = back.advance(state_of(side.from), soon);
-    if (step.outcome != Outcome::completed || step.contacts.size() != pieces) return {};
-    side.to = coordinates<Shape::disk>(section_point(step.collision.after));
-    return side;
-}
-
-/// Against differences over ± h and ± h/2, extrapolated.
-template <ImpactRule rule>
-void check_derivative(const ReturnMap<DiskMap<rule>>& back, const SectionPoint<double>& z, int& columns,
-                      double& worst) {
-    const auto here = coordinates<Shape::disk>(z);
-    const auto known = back.advance(post_impact_state(z), soon);
-    const auto derivative = derivative_through_contact(back, z, known);
-    constexpr double h = 1e-5;
-    for (const std::size_t j : {0U, 2U, 3U}) {
-        std::array<std::optional<Side>, 4> sides;
-        const double changes[] = {h, -h, 0.5 * h, -0.5 * h};
-        for (std::size_t s = 0; s < 4; ++s) sides[s] = side_of(back, here, j, changes[s], known.contacts.size());
-        if (!std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.has_value(); })) continue;
-        const double by_vn = (sides[0]->from[1] - sides[1]->from[1]) / (2 * h);
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
-            const double whole = (sides[0]->to[i] - sides[1]->to[i]) / (2 * h),
-                         half = (sides[2]->to[i] - sides[3]->to[i]) / h;
-            const double expected = derivative(row, column) + by_vn * derivative(row, 1);
-            const double off = std::abs((4 * half - whole) / 3 - expected) / (1 + derivative.cwiseAbs().maxCoeff());
-            // Flights and contacts are known to 10⁻¹³, 10⁻⁸ by h; what grazes bends more than the extrapolation knows.
-            EXPECT_LT(off, 1e-6) << "row " << i << " column " << j;
-            worst = std::max(worst, off);
-        }
-        ++columns;
-    }
-}
-
-TEST(DryContact, ItsDerivativeIsThatOfDifferences) {
-    int columns = 0;
-    double worst = 0;
-    for (int seed = 0; seed < 12; ++seed) {
-        Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
-        const Scene<double> scene = drawn_scene(draw);
-        with_dry_map(scene, [&](const auto& map) {
-            using Map = std::decay_t<decltype(map)>;
-            if constexpr (Map::shape == Shape::disk) {
-                const ReturnMap<Map> back(map);
-                const RimScene<double> rim = map.rim();
-                for (int k = 0; k < 10; ++k) {
-                    PostImpactState<double> start = leaving_rim(rim, {draw(-2, 2), 0, draw(-1, 1), draw(-2, 2)});
-                    start.vn -= 1e-9;
-                    const auto step = back.advance(start, soon);
-                    if (step.outcome != Outcome::completed || step.contacts.empty()) continue;
-                    if (step.contacts.back().end < 1e-2 || step.collision.impulse.normal < 1e-2) continue;  // grazing
-                    check_derivative(back, section_point(start), columns, worst);
-                }
-            }
-        });
-    }
-    std::printf("  %d columns, off by %.1e at most\n", columns, worst);
-    EXPECT_GT(columns, 60);
 }
 
 /// Of the trajectory between impacts, in flight and in contact.

@@ -238,9 +238,27 @@ TEST(Dry, SlidingAndSpinningEndTogether) {
         EXPECT_NEAR(limit_ratio(0.5, velocity, spin), between.first, 1e-7);
     std::printf("sliding and spinning end together at %.9f, by the drift at %.9f\n", limit_ratio(0.5, 0.5, 2),
                 between.first);
-    const std::array<double, 3> late{1e-7, 1e-8, 1e-9};
-    EXPECT_GT(ratios_at(0.2, 0.5, 2, late)[2], 5);
-    EXPECT_LT(ratios_at(0.8, 0.5, 2, late)[2], 0.05);
+}
+
+/// Where U is much larger αS′/αS = U′/4κU, and where it is much smaller U′/U = 3κ/2 αS′/αS: |U|/α|S| goes as the speed
+/// to the power 1 − 1/4κ, and 3κ/2 − 1, which change their sign at κ = ¼ and ⅔.
+TEST(Dry, BeyondTheBordersOneEndsAlone) {
+    const std::array<double, 3> late{1e-4, 1e-5, 1e-6};  // |U| + |S|, of which U and S are parts
+    constexpr double alpha = 0.4;
+    for (const double kappa : {0.15, 0.17, 0.2}) {
+        const auto ratios = ratios_at(kappa, 0.5, 2, late);
+        const auto sliding = [&](std::size_t i) { return late[i] / (1 + 1 / (alpha * ratios[i])); };
+        const double power = std::log(ratios[2] / ratios[1]) / std::log(sliding(2) / sliding(1));
+        EXPECT_NEAR(power, 1 - 1 / (4 * kappa), 1 / (ratios[1] * ratios[1])) << kappa;  // the means' next order
+        EXPECT_GT(ratios[1], 5) << kappa;
+    }
+    for (const double kappa : {0.85, 0.9, 1.0}) {
+        const auto ratios = ratios_at(kappa, 0.5, 2, late);
+        const auto spinning = [&](std::size_t i) { return late[i] / (1 + alpha * ratios[i]); };
+        const double power = std::log(ratios[2] / ratios[1]) / std::log(spinning(2) / spinning(1));
+        EXPECT_NEAR(power, 1.5 * kappa - 1, ratios[1] * ratios[1]) << kappa;
+        EXPECT_LT(ratios[1], 0.1) << kappa;
+    }
 }
 
 /// No point of the body is outside at any of a thousand moments of a flight, and the vertex that strikes is on the wall

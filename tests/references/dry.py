@@ -233,4 +233,4 @@ def orbit(entry, text, wrapped):
     return {**entry, "collisions": rows}
 
 
-__all__ = ["DIGITS", "Floor", "MACRO", "extrapolated", "extrapolated_with_error", "in_numbers", "means", "number", "orbit", "swirl", "zero_between"]
+__all__ = ["DIGITS", "Floor", "MACRO", "PI", "extrapolated", "extrapolated_with_error", "in_numbers", "means", "number", "orbit", "swirl", "zero_between"]

@@ -8,6 +8,7 @@ import dragged
 import dragged_contact
 import dry
 import dry_contact
+import dry_wall
 import tangential
 from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
@@ -141,6 +142,8 @@ def searched_fixed_points(scene_fields, longest):
 
 
 def recomputed(entry):
+    if "floor_friction" in entry and "support" in entry:
+        return dry_wall.polygon_contact_over_dry_floor(entry, text)
     if "floor_friction" in entry and "event" in entry:
         return dry_contact.contact_motion_over_dry_floor(entry, text)
     if "floor_friction" in entry:

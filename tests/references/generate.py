@@ -62,7 +62,7 @@ def excess(listed, computed, digits, key=""):
         if len(listed) != len(computed):
             return float("inf")
         return max(excess(a, b, digits) for a, b in zip(listed, computed))
-    if isinstance(computed, str) and key not in ("law", "floor", "regime", "event"):
+    if isinstance(computed, str) and key not in ("law", "floor", "regime", "event", "support"):
         return excess_of_decimal(listed, computed, digits)
     return 0.0 if listed == computed else float("inf")
 

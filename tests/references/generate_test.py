@@ -37,7 +37,7 @@ class Generator(unittest.TestCase):
         return {key: [document[key][n] for n in numbers]}
 
     def test_a_sample_of_each_file_is_recomputed(self):
-        for name, count in (("trajectories.json", 2), ("dragged_trajectories.json", 2), ("tangential_trajectories.json", 2), ("rod_trajectories.json", 1), ("corner_trajectories.json", 1), ("dry_trajectories.json", 1), ("dry_contact.json", 1), ("cycles.json", 1),
+        for name, count in (("trajectories.json", 2), ("dragged_trajectories.json", 2), ("tangential_trajectories.json", 2), ("rod_trajectories.json", 1), ("corner_trajectories.json", 1), ("dry_trajectories.json", 1), ("dry_contact.json", 1), ("dry_wall.json", 1), ("cycles.json", 1),
                             ("steady_e1.json", 1), ("fixed_points.json", 2)):
             result = generate(HERE / name, "--check", "--sample", count, "--seed", 5)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)

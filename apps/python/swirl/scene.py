@@ -189,8 +189,7 @@ class Scene:
         outcome : ndarray of int8, shape (n,); a word of one state
             With `outcomes=True`. Codes are places in `swirl.Scene.OUTCOMES`: "completed", "no-contact", "in-contact",
             "contact-cut-short", "resting", "diverged", "unresolved", "not-leaving" of what is no state just after an
-            impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner", of
-            a polygon over a floor with dry friction "contact-over-dry-floor".
+            impact (u_n > 0, or a vertex outside), of a floor that drags "riding", of rounded corners "contact-of-corner".
 
         Notes
         -----

@@ -57,7 +57,7 @@ ContactTail::ContactTail(const Scene<double>& scene, const ContactScene<double>&
     : scene_(contact), over_dry_floor_(dry_paths(scene).contact), followed_(followed) {}
 
 double ContactTail::friction(Support support, ContactMotion motion, const ContactState<double>& state) const {
-    return over_dry_floor_ ? over_dry_floor_(motion, state, 0).friction
+    return over_dry_floor_ ? over_dry_floor_(support, motion, state, 0).friction
                            : reaction_of(scene_, support, motion, state).friction;
 }
 
@@ -147,7 +147,7 @@ bool ContactTail::judge_rest(analysis::Classification& verdict) const {
     verdict.kind = analysis::Kind::riding;
     verdict.mode = analysis::Mode::steady;
     verdict.mean = 0;
-    verdict.evidence.push_back({"room at the wall", 0, 0, "friction holds the disk against the dish, at its wall",
+    verdict.evidence.push_back({"room at the wall", 0, 0, "friction holds the body against the dish, at its wall",
                                 "more pull than friction holds: it is torn loose"});
     return true;
 }

@@ -30,7 +30,7 @@ public:
     /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is
     /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's. Over a floor
     /// that drags a rolling disk that has turned back once does so for ever less, and comes to rest: rolling, S = −ρ/α;
-    /// one without friction ceases to turn. A disk that a dish's dry friction holds: riding, steady, S = 0.
+    /// one without friction ceases to turn. A body that a dish's dry friction holds: riding, steady, S = 0.
     /// @return true if nothing changes any more: a longer look would show the same
     bool judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }

@@ -187,7 +187,7 @@ struct Release {
 
 template <int D>
 Release last_release(const SceneMap<D>& map, const Scene<double>& scene, const PostImpactState<double>& last) {
-    if (scene.has_dry_floor() && scene.is_disk())
+    if (scene.has_dry_floor())
         if (const auto step = map.return_step(last); !step.contacts.empty()) {
             const PostImpactState<double> leaving = post_impact_state(map.contact(), step.contacts.back().to);
             return {flight_from(map.body(), leaving), true};

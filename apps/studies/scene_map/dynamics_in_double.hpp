@@ -115,21 +115,20 @@ public:
         if (!is_rounded && parameter == Parameter::corner)
             throw std::logic_error("along the radius of corners the map is that of rounded corners");
         if (known.contacts.empty()) return derivative_along(map_, parameter, z, known.collision);
-        if constexpr (ends_on_wall<Map>)
+        if constexpr (is_rounded)
             throw std::logic_error(not_in_contact);
         else
             return derivative_along_contact(return_map_, parameter, section_point(z), known);
     }
     Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
-        if constexpr (ends_on_wall<Map>)
+        if constexpr (is_rounded)
             throw std::logic_error(not_in_contact);
         else
             return derivative_through_contact(return_map_, z, known, &series);
     }
 
 private:
-    static constexpr const char* not_in_contact =
-        "rounded corners, and polygons over a floor with dry friction, are not followed in contact";
+    static constexpr const char* not_in_contact = "rounded corners are not followed in contact";
 
     Map map_;
     ReturnMap<Map> return_map_;  ///< refers to it

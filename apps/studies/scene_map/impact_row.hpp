@@ -85,7 +85,7 @@ std::vector<ContactRow> contact_rows(const SceneOrbit<T>& orbit, double t, int v
                        {0},
                        name_of(piece.begin),
                        name_of(piece.finish),
-                       rests_on_rim(piece) ? "resting" : name_of(piece.support, piece.motion),
+                       rests_in_dish(piece) ? "resting" : name_of(piece.support, piece.motion),
                        piece.end > piece.start ? piece.turned / (piece.end - piece.start) : piece.from.spin,
                        piece.work,
                        piece.landing_jacobi,

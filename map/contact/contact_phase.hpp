@@ -23,14 +23,14 @@ struct ContactSegment {
     double work = 0;            ///< ∫ f (u_t − 1) dt: change of J by friction
     double landing_jacobi = 0;  ///< change of J by the end of chatter before it (a landing's, a neighbour's)
     double error = 0;  ///< of a landing: estimated error of position and velocities by replacing the rest of chatter
-    long steps = 0;    ///< number of power series
+    long steps = 0;    ///< number of power series, or of steps of the integration
 };
 
-/// A body at rest against a dish with dry friction (map/dry), on its rim or a vertex: neither slips nor turns. (On an
-/// edge `sticking` is rest, whatever the floor.)
+/// A body at rest against a dish with dry friction (map/dry), on its rim or a vertex: neither slips nor turns (from
+/// rest to rest it turns one way). (On an edge `sticking` is rest, whatever the floor.)
 inline bool rests_in_dish(const ContactSegment& piece) {
     return piece.support != Support::edge && piece.motion == ContactMotion::sticking && piece.from.spin == 0 &&
-           piece.to.spin == 0 && piece.end > piece.start;
+           piece.to.spin == 0 && piece.turned == 0 && piece.end > piece.start;
 }
 
 template <class T>

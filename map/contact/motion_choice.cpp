@@ -61,12 +61,6 @@ std::optional<ContactMotion> consistent_motion(const ContactScene<T>& scene, Sup
     return {};
 }
 
-/// The state on an edge's other vertex.
-template <class T>
-ContactState<T> other_end(const ContactScene<T>& scene, const ContactState<T>& z) {
-    return {z.psi + 2 * scene.half_chord, scene.widest_chi, z.ut, z.spin};
-}
-
 /// In free flight it would leave the wall.
 template <class T>
 bool leaves(const ContactScene<T>& scene, const ContactState<T>& z) {

@@ -19,6 +19,12 @@ struct MotionChoice {
     bool resolved = true;                       ///< false: no motion agrees with the forces of its own
 };
 
+/// The state on an edge's other vertex.
+template <class T>
+ContactState<T> other_end(const ContactScene<T>& scene, const ContactState<T>& z) {
+    return {z.psi + 2 * scene.half_chord, scene.widest_chi, z.ut, z.spin};
+}
+
 /// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. Of an
 /// edge all motions are looked at that are consistent with λ ≥ 0, friction and no acceleration into the wall: each
 /// vertex sticks, slips either way or lifts. With large friction there may be several. Contact that goes on then keeps

@@ -96,9 +96,10 @@ Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const 
 }
 
 /// Two vertices at rest: the reactions are not unique, (λ₁ + λ₂) = Λ is free along the wedge between the contacts.
-/// Rest lasts while any Λ keeps both forces within their friction cones: the width of that interval of Λ.
+/// Rest lasts while any Λ keeps both forces within their friction cones.
 template <class T>
-T edge_reserve(const ContactScene<T>& scene, const T& sum_friction, const T& difference, const T& wn) {
+EdgeNormals<T> normals_within_cones(const ContactScene<T>& scene, const T& sum_friction, const T& difference,
+                                    const T& wn) {
     const T c = cos(scene.half_chord), s = sin(scene.half_chord);
     // f₁ − f₂ = (Λ c − w)/s; the four sides of |f₁| ≤ μλ₁, |f₂| ≤ μλ₂ as a + bΛ ≥ 0.
     T least(0), most = std::numeric_limits<T>::infinity();
@@ -111,9 +112,9 @@ T edge_reserve(const ContactScene<T>& scene, const T& sum_friction, const T& dif
             else if (b < 0)
                 most = std::min(most, T(-a / b));
             else if (a < 0)
-                return a;
+                return {least, T(least + a)};
         }
-    return std::min(most, T(1e300)) - least;
+    return {least, most};
 }
 
 template <class T>
@@ -130,10 +131,11 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
         r.friction = -d * wt;
         if (floor.drags) r.friction -= body.inertia * floor.turning;
         const T difference = (-wt - r.friction * c) / s;
-        r.reserve = edge_reserve(scene, r.friction, difference, wn);
-        // One of the possible pairs, the one without tension along the edge: f₁ = f₂.
-        r.normal = T(0.5) * (wn / c + difference);
-        r.second = T(0.5) * (wn / c - difference);
+        const EdgeNormals<T> normals = normals_within_cones(scene, r.friction, difference, wn);
+        r.reserve = std::min(normals.most, T(1e300)) - normals.least;
+        const T sum = normals.nearest_to(wn / c);
+        r.normal = T(0.5) * (sum + difference);
+        r.second = T(0.5) * (sum - difference);
         return r;
     }
     const T smu = scene.mu * sign_of<T>(motion);
@@ -156,6 +158,12 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
 }  // namespace
 
 template <class T>
+EdgeNormals<T> edge_normals(const ContactScene<T>& scene, const Vec2<T>& force, const T& sum_friction) {
+    const T c = cos(scene.half_chord), s = sin(scene.half_chord);
+    return normals_within_cones(scene, sum_friction, T((force.y - sum_friction * c) / s), T(-force.x));
+}
+
+template <class T>
 Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMotion motion,
                         const ContactState<T>& state) {
     switch (support) {
@@ -171,7 +179,8 @@ Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMo
 
 template <class T>
 T stick_margin(const ContactScene<T>& scene, const ContactState<T>& state) {
-    return tolerance<T>(1e-12) * (scene.body.beta + scene.body.alpha * state.spin * state.spin);
+    const T push = scene.floor.drags ? T(abs(scene.floor.push.x) + abs(scene.floor.push.y)) : T(0);
+    return tolerance<T>(1e-12) * (scene.body.beta + push + scene.body.alpha * state.spin * state.spin);
 }
 
 template <class T>
@@ -188,5 +197,6 @@ SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_REACTION)
     template T stick_margin(const ContactScene<T>&, const ContactState<T>&); \
     template T normal_rate(const ContactScene<T>&, Support, const ContactState<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_RATES)
+template EdgeNormals<double> edge_normals(const ContactScene<double>&, const Vec2<double>&, const double&);
 
 }  // namespace swirl

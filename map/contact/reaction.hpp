@@ -34,6 +34,22 @@ struct Reaction {
         T(1);  ///< sliding on a vertex: B₂ − sμB₃; at 0 and below λ is not unique or does not exist (Painlevé)
 };
 
+/// The sums Λ of an edge's two λ between which both of its forces are within their friction cones; none where most <
+/// least. Of the pairs that hold an edge at rest, which are not unique, reports have the one whose Λ is nearest to that
+/// without tension along the edge, f₁ = f₂.
+template <class T>
+struct EdgeNormals {
+    T least{}, most{};
+
+    T nearest_to(const T& sum) const { return sum > most && most > least ? most : sum < least ? least : sum; }
+};
+
+/// Those of an edge that is held by a force of the wall.
+///   force         of both vertices, along n and t of the edge's middle
+///   sum_friction  f₁ + f₂
+template <class T>
+EdgeNormals<T> edge_normals(const ContactScene<T>& scene, const Vec2<T>& force, const T& sum_friction);
+
 template <class T>
 Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMotion motion,
                         const ContactState<T>& state);

@@ -97,10 +97,12 @@ public:
     DryContact find_after_release() {
         result_.moment = moment_at(course_.station(), 0);
         if (course_.has_stopped()) return stopped();
+        if (strikes_at_once()) return result_;
+        const bool from_rest = is_at_rest();
         do course_.advance();
-        while (course_.station().time < least_fall && !course_.has_stopped());
+        while (from_rest && course_.station().time < least_fall && !course_.has_stopped());
         if (course_.has_stopped() && course_.station().time < least_fall) return stopped();  // but for rounding at once
-        double clear = course_.step();
+        double clear = std::min(course_.step(), neighbours_last());
         for (int halvings = 0; !falls_until(clear); clear *= 0.5)
             if (++halvings > 60) return ended(FirstContactOutcome::unresolved);
         result_.moment = moment_at(course_.before(), clear);
@@ -136,6 +138,38 @@ private:
         return dry_moment<shape>(flight_, station.time + later, slowing_after(flight_, station, later));
     }
 
+    /// Against the floor, but for rounding.
+    bool is_at_rest() const {
+        const Flight<double>& start = flight_.start;
+        const double sliding = detail::magnitude(detail::against_floor(flight_, start.velocity, start.phase));
+        const double rounding = 64 * epsilon<double>() * (start.beta + detail::magnitude(start.velocity));
+        return sliding <= rounding && body_.alpha * std::fabs(start.spin) <= rounding;
+    }
+
+    /// At the release: the neighbour of the vertex that leaves is at the wall and approaches.
+    bool strikes_at_once() {
+        if constexpr (shape == Shape::polygon) {
+            look_around(flight_, result_.moment, pair_);
+            if (!at_wall(pair_.first) && !at_wall(pair_.second)) return false;
+            detail::choose(pair_, 1.0, result_.found);
+            return true;
+        } else {
+            return false;
+        }
+    }
+
+    /// For so long none but the vertex that leaves and its neighbours comes near the wall.
+    double neighbours_last() const {
+        if constexpr (shape == Shape::disk) {
+            return infinity;
+        } else {
+            const Bounds bounds = bounds_from(flight_, result_.moment, course_.step());
+            const double distance = detail::magnitude(result_.moment.at.centre);
+            return std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance),
+                            distance / (2 * bounds.drift));
+        }
+    }
+
     /// Does the gap of what leaves the wall fall on the last step until then?
     bool falls_until(double later) const {
         constexpr int moments = 10;
@@ -166,12 +200,20 @@ private:
                 const Vec2<double> moved = moment.at.moved + body_.turned_to_vertex(moment.at.arm_moved, vertices[i]);
                 const double change = dot(start, moved) + 0.5 * dot(moved, moved);
                 const double begin = 0.5 * (dot(start, start) - 1);
-                const bool was_on_wall = i == 0 || begin > -1e-12;
+                const bool was_on_wall = i == 0 || (begin > -1e-12 && !approaches(start, vertices[i]));
                 const bool is_inside = begin + change < 0;
                 gaps[i] = was_on_wall ? change : is_inside ? -moment.at.time : infinity;
             }
             return gaps;
         }
+    }
+
+    /// Does a vertex come towards the wall at the start?
+    bool approaches(const Vec2<double>& place, int vertex) const {
+        const Vec2<double> arm = body_.turned_to_vertex(flight_.start.arm, vertex);
+        const Vec2<double> drift = flight_.start.velocity - quarter_turned(flight_.start.beta * flight_.start.phase);
+        const Vec2<double> rate = drift + flight_.start.spin * quarter_turned(arm);
+        return 2 * dot(place, rate) > detail::rate_rounding(body_, flight_.start);
     }
 
     /// Between the last two stations, from so long after the first.

@@ -60,7 +60,8 @@ double DryCourse::longest() const {
             rate = rate + flight_.start.beta * turned(flight_.start.phase, cis_minus_one(station_.time));
         along_rate = (dot(rate, arm) + slip.spin * dot(slip.velocity, quarter_turned(arm))) / body.alpha;
     }
-    const double to_border = flight_.pressure->step_to_border(body, slip.velocity, slip.spin, arm, change, along_rate);
+    const double to_border =
+        flight_.pressure->step_to_border(body, slip.velocity, slip.spin, arm, flight_.deceleration, change, along_rate);
     return std::min({to_stop, to_border, longest_step});
 }
 

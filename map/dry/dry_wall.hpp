@@ -34,10 +34,10 @@ struct DryMotion {
 
 /// From the centre to the vertex (rim) in contact, in the axes n and t.
 template <class T>
-Vec2<T> arm_on_wall(const Body<T>& body, Support support, const T& chi) {
+Vec2<T> arm_on_wall(const T& alpha, Support support, const T& chi) {
     using std::cos, std::sin;
-    if (support == Support::rim) return {body.alpha, T(0)};
-    return {body.alpha * cos(chi), body.alpha * sin(chi)};
+    if (support == Support::rim) return {alpha, T(0)};
+    return {alpha * cos(chi), alpha * sin(chi)};
 }
 
 /// X′ of the centre of a body whose vertex (rim) runs along the wall at u_t, in the axes n and t.
@@ -55,6 +55,12 @@ bool goes_in_line(const DryWall<T>& wall, const DryMotion& motion, const T& spin
     return motion.support == Support::rim && plain(wall.contact.mu) == 0 && plain(spin) == 0;
 }
 
+/// The velocity of the dish, iw, in the axes n and t.
+template <class T>
+Vec2<T> dish_rate(const T& beta, const Vec2<T>& psi) {
+    return quarter_turned(Vec2<T>{beta * psi.x, -beta * psi.y});
+}
+
 namespace detail {
 
 /// What the floor pushes on a body; nothing on one that does not move against it.
@@ -63,7 +69,7 @@ template <class T>
 ContactFloor<T> push_of_floor(const DryWall<T>& wall, const Vec2<T>& psi, const Vec2<T>& arm, Vec2<T> slip,
                               const T& spin) {
     const Body<T>& body = wall.contact.body;
-    if (!wall.is_dish) slip = slip + quarter_turned(Vec2<T>{body.beta * psi.x, -body.beta * psi.y});
+    if (!wall.is_dish) slip = slip + dish_rate(body.beta, psi);
     ContactFloor<T> floor;
     floor.drags = true;
     if (plain(slip.x) == 0 && plain(slip.y) == 0 && plain(spin) == 0) return floor;
@@ -79,7 +85,7 @@ ContactFloor<T> push_of_floor(const DryWall<T>& wall, const Vec2<T>& psi, const 
 template <class T>
 ContactFloor<T> floor_push(const DryWall<T>& wall, const DryMotion& motion, const ContactState<T>& z) {
     const Body<T>& body = wall.contact.body;
-    const Vec2<T> arm = arm_on_wall(body, motion.support, z.chi);
+    const Vec2<T> arm = arm_on_wall(body.alpha, motion.support, z.chi);
     T ut = z.ut, spin = z.spin;
     const bool is_still = plain(ut) == 0 && plain(spin) == 0;
     if (goes_in_line(wall, motion, spin) || (wall.is_dish && is_still)) {

@@ -42,7 +42,7 @@ struct Bound {
 class Rest {
 public:
     Rest(const DryWall<double>& wall, Support support, const ContactState<double>& z)
-        : wall_(wall), body_(wall.contact.body), arm_(arm_on_wall(body_, support, z.chi)), pull_(cis(-z.psi)) {
+        : wall_(wall), body_(wall.contact.body), arm_(arm_on_wall(body_.alpha, support, z.chi)), pull_(cis(-z.psi)) {
         bound_by(arm_, {1, 0});
         if (support != Support::edge) return;
         const Vec2<double> other = cis(2 * wall.contact.half_chord);
@@ -52,7 +52,7 @@ public:
     /// ŵ, along n and t.
     const Vec2<double>& pull() const { return pull_; }
 
-    /// β⟨|V + iωρ|⟩, and the means of its direction.
+    /// ⟨|V + iωρ|⟩ and the means of its direction at V = ŵ(1 + i across), ω = turning/α.
     double mean_speed(const Plane& p) const {
         const MeanSlip<double> mean = mean_at(p);
         const Vec2<double> velocity = times(pull_, Vec2<double>{1, p.across});
@@ -223,15 +223,18 @@ std::optional<DryMotion> slide_on_edge_from_rest(const DryWall<double>& wall, co
     return {};
 }
 
-ContactState<double> other_end(const DryWall<double>& wall, const ContactState<double>& z) {
-    return {z.psi + 2 * wall.contact.half_chord, wall.contact.widest_chi, z.ut, z.spin};
+/// The swirl pulls the vertex off the wall. (And β > a_f, else the floor would hold it.)
+bool is_pulled_off(const ContactState<double>& z) {
+    return std::cos(z.psi) <= 0;
 }
 
 /// An edge that leaves the wall with one of its vertices.
-std::optional<DryChoice> lift_from_rest(const DryWall<double>& wall, const ContactState<double>& edge,
-                                        int vertex_step) {
+///   begins  contact does: at a vertex that in free flight would not leave
+std::optional<DryChoice> lift_from_rest(const DryWall<double>& wall, const ContactState<double>& edge, int vertex_step,
+                                        bool begins) {
     for (const int step : {0, 1}) {
-        const ContactState<double> z = step == 0 ? edge : other_end(wall, edge);
+        const ContactState<double> z = step == 0 ? edge : other_end(wall.contact, edge);
+        if (begins && is_pulled_off(z)) continue;
         const auto choice = [&](const DryMotion& motion) -> std::optional<DryChoice> {
             const Reaction<double> r = reaction_over(wall, motion, z);
             const double turning = r.spin_rate - r.ut_rate;  // χ″: away from |χ| = χ_m
@@ -246,29 +249,37 @@ std::optional<DryChoice> lift_from_rest(const DryWall<double>& wall, const Conta
     return {};
 }
 
+/// As `choose_motion`, an edge whose contact begins has as few vertices as it can.
 DryChoice from_rest(const DryWall<double>& wall, Support support, const ContactState<double>& z, int vertex_step,
-                    bool broken) {
+                    ContactEvent before) {
+    const bool begins = before == ContactEvent::landing || before == ContactEvent::strike;
     DryChoice stays{{true, support, ContactMotion::sticking, z, vertex_step}, {support}};
     stays.motion.rests = true;
     const double reserve = rest_reserve(wall, support, z);
-    if (!broken && reserve >= 0) return stays;
-    const auto pulled_off = [](double psi) { return std::cos(psi) <= 0; };  // and β > a_f, else the floor would hold it
+    if (before != ContactEvent::slip && reserve >= 0) {
+        const bool may_lift = support == Support::edge && begins && wall.contact.body.beta > wall.deceleration;
+        if (may_lift)
+            if (const auto lifts = lift_from_rest(wall, z, vertex_step, true)) return *lifts;
+        return stays;
+    }
     DryChoice leaves = stays;
     leaves.choice.stays = false;
     if (support != Support::edge) {
-        if (pulled_off(z.psi)) return leaves;
+        if (is_pulled_off(z)) return leaves;
         if (const auto turns = turn_from_rest(wall, support, z)) return {stays.choice, *turns};
         if (const auto slips = slip_from_rest(wall, support, z)) {
             stays.choice.motion = slips->motion.motion;
             return {stays.choice, slips->motion};
         }
     } else {
-        if (pulled_off(z.psi) && pulled_off(other_end(wall, z).psi)) return leaves;
+        if (is_pulled_off(z) && is_pulled_off(other_end(wall.contact, z))) return leaves;
+        if (begins)
+            if (const auto lifts = lift_from_rest(wall, z, vertex_step, true)) return *lifts;
         if (const auto slides = slide_on_edge_from_rest(wall, z)) {
             stays.choice.motion = slides->motion;
             return {stays.choice, *slides};
         }
-        if (const auto lifts = lift_from_rest(wall, z, vertex_step)) return *lifts;
+        if (const auto lifts = lift_from_rest(wall, z, vertex_step, false)) return *lifts;
     }
     // Within rounding of the border it rests on, until what follows surely begins.
     if (std::fabs(reserve) < at_border * wall.deceleration) return stays;
@@ -298,16 +309,17 @@ HeldAtRest held_at_rest(const DryWall<double>& wall, Support support, const Cont
         held.friction = force.y;
         return held;
     }
-    // Along the direction of the edge's middle: Λ cos of half the chord, and Σf by the torque about the dish's centre.
+    // Along the direction of the edge's middle; Σf by the torque about the dish's centre.
     const Vec2<double> in_middle = seen_from(cis(wall.contact.half_chord), force);
-    held.normal = -in_middle.x / std::cos(wall.contact.half_chord);
     held.friction = body.outer * in_middle.y - torque;
+    held.normal = edge_normals(wall.contact, in_middle, held.friction)
+                      .nearest_to(-in_middle.x / std::cos(wall.contact.half_chord));
     return held;
 }
 
 DryChoice choose_dry_motion(const DryWall<double>& wall, Support support, const ContactState<double>& state,
                             int vertex_step, ContactEvent before) {
-    if (is_at_rest(wall, state)) return from_rest(wall, support, state, vertex_step, before == ContactEvent::slip);
+    if (is_at_rest(wall, state)) return from_rest(wall, support, state, vertex_step, before);
     const double alpha = wall.contact.body.alpha;
     const DryMotion moving = motion_at(support, ContactMotion::sliding_forward, alpha, state);
     const MotionChoice<double> choice =

@@ -87,7 +87,7 @@ TakenStep<n> step_within(const std::array<double, n>& tolerance, const Rate& rat
     while (true) {  // ends: h falls to the shortest step
         const auto tried = runge_kutta_step(rate, time, place, first, h);
         const double error = error_of<double, n>(tried, h, tolerance);
-        const double factor = error > 0 ? 0.9 * std::pow(error, -0.125) : 6.0;
+        const double factor = error > 0 ? 0.9 * std::pow(error, -0.125) : error == 0 ? 6.0 : 0.1;  // or no number
         if (error <= 1 || h <= shortest_step) return {tried.place, h, h * std::clamp(factor, 0.333, 6.0)};
         h = std::max(shortest_step, h * std::clamp(factor, 0.1, 0.9));
     }

@@ -15,8 +15,13 @@ namespace swirl {
 
 namespace {
 
-/// Steps across a border are off by some a_f h³, and h² of a rod's.
-constexpr double shortest_across_border = 0x1p-16, shortest_across_rod = 0x1p-20;
+/// Steps across a border are off by some 300 a_f h³, and a_f h² of a rod's: by 10⁻¹³ of a_f, at weak friction by 10⁻¹⁵.
+double shortest_across_border(double deceleration) {
+    return 0x1p-16 / std::cbrt(std::min(1e3 * deceleration, 1.0));
+}
+double shortest_across_rod(double deceleration) {
+    return 0x1p-20 / std::sqrt(std::min(1e3 * deceleration, 1.0));
+}
 
 /// Over one of the N triangles between the centre and a side, in R_p; r is a part of the way from the centre to a point
 /// of the side: what is `of` such a point e goes as rⁿ.
@@ -74,9 +79,10 @@ std::vector<UniformPressure::Harmonic> UniformPressure::harmonics(int shift) con
 }
 
 double UniformPressure::step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin,
-                                       const Vec2<double>& arm, double change, double along_rate) const {
+                                       const Vec2<double>& arm, double deceleration, double change,
+                                       double along_rate) const {
     const double speed = std::hypot(velocity.x, velocity.y), rim = body.alpha * std::fabs(spin);
-    if (sides_ == disk_sides) return std::max(shortest_across_border, std::fabs(speed - rim) / change);
+    if (sides_ == disk_sides) return std::max(shortest_across_border(deceleration), std::fabs(speed - rim) / change);
     // In the axes of the arm, and about the nearest side's normal.
     const Vec2<double> pivot =
         seen_from(arm, quarter_turned(Vec2<double>(std::copysign(1.0, spin) * velocity)));  // by α|S|
@@ -85,11 +91,12 @@ double UniformPressure::step_to_border(const Body<double>& body, const Vec2<doub
         // At the rate of now, and as it may change where U and αS turn.
         const double rate = std::fabs(along_rate), rise = change * (change / (speed + rim) + std::fabs(spin));
         const double to_line = off > 0 ? 2 * off / (rate + std::sqrt(rate * rate + 2 * rise * off)) : 0;
-        return std::max({shortest_across_rod, past / change, to_line});
+        return std::max({shortest_across_rod(deceleration), past / change, to_line});
     }
     const double half = pi<double>() / sides_, angle = std::atan2(pivot.y, pivot.x) - half;
     const double off = angle - 2 * half * std::round(angle / (2 * half));
-    return std::max(shortest_across_border, std::fabs(speed * std::cos(off) - rim * std::cos(half)) / change);
+    return std::max(shortest_across_border(deceleration),
+                    std::fabs(speed * std::cos(off) - rim * std::cos(half)) / change);
 }
 
 }  // namespace swirl

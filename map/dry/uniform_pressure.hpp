@@ -41,10 +41,11 @@ public:
     /// A step of an integration that does not reach across the body's border with the point that does not slide, iU/S
     /// from the centre: on the border the means have no third derivative (rod: on it no second), and an error estimate
     /// is blind to a step across it. Shorter than what leaves ε on a border that is crossed it never is.
-    ///   change      bounds |U|′ + α|S|′
-    ///   along_rate  of U along the arm, in axes that turn with it: a rod's border is its line, on which that is 0
+    ///   deceleration  a_f
+    ///   change        bounds |U|′ + α|S|′
+    ///   along_rate    of U along the arm, in axes that turn with it: a rod's border is its line, on which that is 0
     double step_to_border(const Body<double>& body, const Vec2<double>& velocity, double spin, const Vec2<double>& arm,
-                          double change, double along_rate) const;
+                          double deceleration, double change, double along_rate) const;
 
     double distance() const { return distance_; }  ///< ⟨|ρ|⟩, in R_p
     double square() const { return square_; }      ///< ⟨|ρ|²⟩, in R_p²
@@ -80,11 +81,14 @@ struct EllipticPair {
     T b, e;
 };
 
+// No numbers give none: Boost would throw.
 inline double elliptic_d(double m) {
+    if (std::isnan(m)) return m;
     return boost::math::ellint_d(std::sqrt(std::min(m, 1 - 0x1p-53)));  // at 1 it is infinite, and times 1 − m = 0
 }
 
 inline EllipticPair<double> elliptic_pair(double m) {
+    if (std::isnan(m)) return {m, m};
     const double e = boost::math::ellint_2(std::sqrt(std::min(m, 1.0)));
     return {e - std::max(1 - m, 0.0) * elliptic_d(m), e};
 }

@@ -55,6 +55,9 @@ std::optional<ContactEnd<double>> strike_at_once(const DryWall<double>& wall, co
     end.state.chi = side * wall.contact.widest_chi;
     end.steps = 1;
     if (leaves < -rounding) return end;
+    // An edge that has just ceased to hold lifts with χ″ = 0 (`motion_of_edge`).
+    const double margin = stick_margin(scene_at(wall, motion, z), z) / wall.contact.body.alpha;
+    if (std::fabs(leaves) <= rounding && std::fabs(back) <= margin) return {};
     if (!(back > 0) || leaves * leaves > 2 * back * chatter_tolerance<double>()) return {};
     const double time = 2 * std::max(0.0, leaves) / back;
     end.state.psi += (z.ut - 1) * time;

@@ -42,13 +42,9 @@ Sliding sliding_at(const DryWall<double>& wall, const DryMotion& motion, const D
     };
     const Body<double>& body = wall.contact.body;
     const InTime psi = moving(0), chi = moving(1), ut = moving(2), spin = moving(3), alpha(body.alpha);
-    const Vec2<InTime> arm = motion.support == Support::rim ? Vec2<InTime>{alpha, InTime(0)}
-                                                            : Vec2<InTime>{alpha * cos(chi), alpha * sin(chi)};
+    const Vec2<InTime> arm = arm_on_wall(alpha, motion.support, chi);
     Vec2<InTime> slip = centre_on_wall_rate(arm, ut, spin);
-    if (!wall.is_dish) {
-        const InTime beta(body.beta);
-        slip = slip + Vec2<InTime>{beta * sin(psi), beta * cos(psi)};  // i w
-    }
+    if (!wall.is_dish) slip = slip + dish_rate(InTime(body.beta), Vec2<InTime>{cos(psi), sin(psi)});
     return {{slip.x.a, slip.y.a}, {slip.x.v[0], slip.y.v[0]}, spin.a, spin.v[0], {arm.x.a, arm.y.a}};
 }
 
@@ -98,7 +94,7 @@ double WallCourse::longest() const {
         along_rate = (dot(at.velocity_rate, at.arm) + swings * dot(at.velocity, quarter_turned(at.arm))) / body.alpha;
     }
     return std::min({to_stop, most,
-                     wall_.pressure->step_to_border(body, at.velocity, at.spin, at.arm,
+                     wall_.pressure->step_to_border(body, at.velocity, at.spin, at.arm, wall_.deceleration,
                                                     nears + std::sqrt(2 * scale_ * turning * apart), along_rate)});
 }
 
@@ -141,19 +137,19 @@ DryPlace<double> WallCourse::about(double h) const {
     return y;
 }
 
-contact_detail::Conditions<double> WallCourse::events(const DryPlace<double>& y) const {
-    const ContactState<double> z = contact_of(y);
-    const ContactScene<double> scene = scene_at(wall_, motion_, z);
-    return contact_detail::conditions_of<double>({scene, motion_.support, motion_.motion},
+contact_detail::Conditions<double> WallCourse::events(const ContactScene<double>& pushed,
+                                                      const ContactState<double>& z) const {
+    return contact_detail::conditions_of<double>({pushed, motion_.support, motion_.motion},
                                                  {{z.psi, z.chi, z.ut, z.spin, 0, 0}, {}});
 }
 
 WallCourse::Conditions WallCourse::conditions(const DryPlace<double>& y) const {
     Conditions values{};
-    const auto found = events(y);
-    for (std::size_t i = 0; i < found.size(); ++i) values[i] = found[i].value;
     const ContactState<double> z = contact_of(y);
-    if (motion_.sticks()) values[contact_detail::hold_condition] -= stick_margin(wall_.contact, z);  // μλ − |f| itself
+    const ContactScene<double> pushed = scene_at(wall_, motion_, z);
+    const auto found = events(pushed, z);
+    for (std::size_t i = 0; i < found.size(); ++i) values[i] = found[i].value;
+    if (motion_.sticks()) values[contact_detail::hold_condition] -= stick_margin(pushed, z);  // μλ − |f| itself
     const bool in_line = !motion_.rests && goes_in_line(wall_, motion_, z.spin);
     const bool turns = motion_.support == Support::edge || motion_.sticks();
     values[line_condition] = !in_line ? 1
@@ -213,7 +209,8 @@ std::optional<WallCourse::Failure> WallCourse::failure() const {
         }
         if (first) {
             if (which == line_condition) return Failure{*first, ContactEvent::stick, false, true};
-            const auto event = events(after(*first))[which];
+            const ContactState<double> z = contact_of(after(*first));
+            const auto event = events(scene_at(wall_, motion_, z), z)[which];
             const bool in_line = goes_in_line(wall_, motion_, before_.y[3]) && !motion_.sticks();
             return Failure{*first, event.event, event.first_lifts, in_line && event.event == ContactEvent::stick};
         }

@@ -101,7 +101,7 @@ private:
 
     DryPlace<double> after(double h) const { return h == 0 ? before_.y : dry_place_after(wall_, motion_, before_, h); }
     DryPlace<double> about(double h) const;
-    contact_detail::Conditions<double> events(const DryPlace<double>& y) const;
+    contact_detail::Conditions<double> events(const ContactScene<double>& pushed, const ContactState<double>& z) const;
     Conditions conditions(const DryPlace<double>& y) const;
     double locate(std::size_t which, double from, double to) const;
     double longest() const;

@@ -82,7 +82,7 @@ TEST(DryPolygonContact, RestIsHeldByForcesThatBalance) {
         EXPECT_GE(rest.normal, -bound) << seed;
         EXPECT_LE(std::abs(rest.friction), scene.mu * rest.normal + bound) << seed;
         // The floor's push that balances them lies on its limit surface: with its torque no motion takes more of it.
-        const Vec2<double> arm = arm_on_wall(b, Support::vertex, z.chi);
+        const Vec2<double> arm = arm_on_wall(b.alpha, Support::vertex, z.chi);
         const Vec2<double> push{-scene.beta * std::cos(z.psi) + rest.normal,
                                 scene.beta * std::sin(z.psi) - rest.friction};
         const double torque = -(arm.x * rest.friction + arm.y * rest.normal);
@@ -181,7 +181,7 @@ TEST(DryPolygonContact, FrictionGivesNoEnergy) {
         const OnWall body(scene);
         const Body<double>& b = body.wall.contact.body;
         const auto rate_of_centre = [&](const ContactState<double>& z) {
-            return centre_on_wall_rate(arm_on_wall(b, Support::vertex, z.chi), z.ut, z.spin);
+            return centre_on_wall_rate(arm_on_wall(b.alpha, Support::vertex, z.chi), z.ut, z.spin);
         };
         const auto energy = [&](const ContactState<double>& z) {
             const Vec2<double> v = rate_of_centre(z);

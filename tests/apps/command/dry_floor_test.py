@@ -77,6 +77,40 @@ class DryFloor(InFolder, FollowedOrRefused):
                 self.assertGreater(max(corners), 1 - 1e-10)
                 self.assertLess(abs(sample["friction"]), 0.55 * sample["normal_force"] + 1e-7)
 
+    def test_an_edge_that_ceases_to_rest_on_a_table_lifts(self):
+        square = "--sides 4 --alpha 0.8551 --beta 5 --mu 0.3 --restitution 0 --floor-friction 0.25 --gravity-ratio 1 --floor table"
+        orbit = document(f"simulate {square} --seed 463 --speed 1 --time 1")
+        self.assertEqual(orbit["outcome"], "completed")
+        self.assertLess(len(orbit["collisions"]), 30)  # no impacts of no duration without end
+
+    def test_a_body_that_rolls_past_its_vertices_stays_inside(self):
+        body = "--sides 12 --alpha 0.99 --beta 5 --mu 0.1 --restitution 0 --law stronge --floor-friction 3.8977404 --gravity-ratio 1"
+        for sample in document(f"simulate {body} --floor table --seed 668352 --speed 1 --time 0.3 --sample 0.005")["samples"]:
+            place = complex(sample["x"], sample["y"]) - 5 * complex(math.cos(sample["t"]), math.sin(sample["t"]))
+            turns = (sample["angle"] + k * math.pi / 6 for k in range(12))
+            self.assertLess(max(abs(place + 0.99 * complex(math.cos(turn), math.sin(turn))) for turn in turns), 1 + 1e-10)
+
+    def test_what_rests_does_not_turn(self):
+        disk = "--sides disk --alpha 0.97 --beta 0.8 --mu 0.5 --restitution 0.354 --floor-friction 0.008 --gravity-ratio 1"
+        contacts = document(f"simulate {disk} --seed 569335 --speed 2 --time 20")["contacts"]
+        self.assertGreater(len(contacts), 10)  # it swings from rest to rest, and rests in the end
+        self.assertEqual([piece["mean_S"] for piece in contacts if piece["motion"] == "resting"], [0])
+
+    def test_hardly_any_friction_joins_none(self):
+        for body in ("--sides 3 --alpha 0.544 --beta 1.9 --mu 1e6 --restitution 0 --seed 916803",
+                     "--sides 3 --alpha 0.901 --beta 0.262 --mu 2 --restitution 0 --law newton --seed 132802",
+                     "--sides 2 --alpha 0.317 --beta 0.728 --mu 2 --restitution 0 --seed 508289"):
+            ends = [document(f"simulate {body} --speed 1 --collisions 5 --floor-friction {m} --gravity-ratio 1")["collisions"][-1]
+                    for m in (0, 1e-12)]
+            for name in ("t", "x", "y", "spin"):
+                self.assertAlmostEqual(ends[0][name], ends[1][name], delta=1e-8, msg=f"{body} {name}")
+
+    def test_a_slip_too_short_to_be_seen_ends_with_a_name(self):
+        disk = "--sides disk --alpha 0.647 --beta 0.263 --mu 1000 --restitution 0.3 --floor-friction 0.2104 --gravity-ratio 1"
+        result = run(f"simulate {disk} --floor table --seed 852 --speed 1 --time 20")
+        self.assertIn(result.returncode, (0, 3))
+        self.assertNotIn("unexpected", result.stderr)
+
     def test_a_disk_that_the_dish_holds_at_its_wall_rides(self):
         for mu in (0, 0.3):
             held = f"--sides disk --alpha 0.4 --beta 0.5 --restitution 0 --floor-friction 0.6 --gravity-ratio 1 --mu {mu}"

@@ -43,7 +43,7 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> u(-1, 1);
     const double h = 1e-3;
-    long checked = 0;
+    long checked = 0, held = 0;
     double worst = 0;
     for (const Support support : {Support::rim, Support::vertex, Support::edge})
         for (const ContactMotion motion :
@@ -75,7 +75,16 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
                     const double smu = motion == ContactMotion::sticking          ? 0
                                        : motion == ContactMotion::sliding_forward ? 0.3
                                                                                   : -0.3;
-                    const double f1 = motion == ContactMotion::sticking ? 0.5 * r.friction : -smu * r.normal;
+                    // Of an edge at rest f₁ − f₂ = (Λ c − w)/s along the edge's middle.
+                    const double wn = scene.body.beta * std::cos(now.state.psi + scene.half_chord);
+                    const double apart =
+                        ((r.normal + r.second) * std::cos(scene.half_chord) - wn) / std::sin(scene.half_chord);
+                    const double f1 = motion == ContactMotion::sticking ? 0.5 * (r.friction + apart) : -smu * r.normal;
+                    if (motion == ContactMotion::sticking && r.reserve >= 0) {  // a pair that is possible
+                        EXPECT_LE(std::abs(f1), 0.3 * r.normal + 1e-12);
+                        EXPECT_LE(std::abs(r.friction - f1), 0.3 * r.second + 1e-12);
+                        ++held;
+                    }
                     force = f1 * quarter_turned(p1.n) - r.normal * p1.n;
                     force = force + ((r.friction - f1) * quarter_turned(p1.n2) - r.second * p1.n2);
                 }
@@ -87,6 +96,7 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
             }
     std::printf("%ld states: largest difference of force and mass times acceleration %.1e\n", checked, worst);
     EXPECT_GE(checked, 500);
+    EXPECT_GE(held, 20);
     EXPECT_LE(worst, 3e-5);  // h² and the fourth derivative; rounding of the differences is 1e-10
 }
 

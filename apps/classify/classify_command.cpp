@@ -39,7 +39,7 @@ was found and why, one what would change it; --verbose lists all evidence. The k
   chord                friction at e = 1 drives it along a chord without slip, up to a limit of S
                        (map/chords/README.md)
   chaotic              the largest Lyapunov exponent is positive
-  riding               steady, off the wall for ever: a floor that drags takes the body along, S = 0
+  riding               steady, off the wall for ever, or held at it: a floor that drags or rubs takes the body along, S = 0
   transient            undecided: the orbit is still settling
 An orbit without any contact is undecided, unless it rides.
 

@@ -69,6 +69,9 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     ParameterRange along;
     along.name = text.substr(0, equals);
     along.parameter = parameter_named(along.name);
+    if (along.name == "floor-friction" || along.name == "gravity-ratio" || along.name == "spin-drag")
+        refuse(named,
+               fmt::format("no derivative along {} is followed; sweep --grid {}=... is", along.name, along.name));
     if (!along.parameter && !(families && (along.name == "S" || along.name == "tau")))
         refuse(named, fmt::format("NAME is none of: {}", parameters_in_words(flag == "plane" ? RangesOver::plain_scenes
                                                                              : families      ? RangesOver::families

@@ -18,9 +18,14 @@ namespace {
 constexpr double beyond_rest = 1e-9;
 
 /// How long the body rests: from ψ on ψ′ = −1.
-double rest_lasts(const DryWall<double>& wall, Support support, const ContactState<double>& z, double longest) {
+///   looks  is added how often the forces of rest were looked at
+double rest_lasts(const DryWall<double>& wall, Support support, const ContactState<double>& z, double longest,
+                  long& looks) {
     constexpr int parts = 64;
-    const auto reserve = [&](double time) { return rest_reserve(wall, support, {z.psi - time, z.chi, 0, 0}); };
+    const auto reserve = [&](double time) {
+        ++looks;
+        return rest_reserve(wall, support, {z.psi - time, z.chi, 0, 0});
+    };
     double from = 0;
     for (int k = 1; k <= parts && from < longest; ++k) {
         const double to = 2 * pi<double>() * k / parts;
@@ -99,7 +104,9 @@ private:
 
     ContactEnd<double> rest(const ContactState<double>& from, double duration, const ContactSink& sink,
                             const ContactSums<double>& before) const {
-        const double lasts = rest_lasts(wall_, motion_.support, from, duration);
+        constexpr long steps_per_look = 4;  // in means over the body's area
+        long looks = 0;
+        const double lasts = rest_lasts(wall_, motion_.support, from, duration, looks);
         const auto place = [&](double time) { return DryPlace<double>{from.psi - time, from.chi, 0, 0, 0, 0}; };
         if (sink) {
             for (double time = WallCourse::longest_step; time < lasts; time += WallCourse::longest_step)
@@ -110,7 +117,7 @@ private:
                 contact_of(place(lasts)),
                 {lasts, 0, 0},
                 false,
-                1};
+                steps_per_look * looks};
     }
 
     void show_step(const ContactSink& sink, const ContactSums<double>& before, const WallCourse& course,

@@ -21,7 +21,8 @@ namespace swirl::studies {
 ///   advance  the step in place, ReturnMap's: ReturnStep → Outcome
 template <class AdvanceStep>
 std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, std::int64_t steps,
-                          const analysis::Stop& stop, analysis::StepBudget& budget, const AdvanceStep& advance) {
+                          const analysis::Stop& stop, analysis::StepBudget& budget, double per_contact_step,
+                          const AdvanceStep& advance) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     ReturnStep<double> step;
     step.collision.after = z;
@@ -34,7 +35,7 @@ std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, 
             look = done + between;
         }
         const Outcome outcome = advance(step);
-        budget.spent += cost_of(step);
+        budget.spent += cost_of(step, per_contact_step);
         if (outcome != Outcome::completed) break;
         const PostImpactState<double>& after = step.collision.after;
         if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
@@ -82,9 +83,11 @@ public:
     }
     std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
                         analysis::StepBudget& budget) const override {
-        return follow_steps(body(), z, steps, stop, budget,
+        return follow_steps(body(), z, steps, stop, budget, cost_per_contact_step(),
                             [this, horizon](Step& step) { return return_map_.advance(step, horizon); });
     }
+
+    double cost_per_contact_step() const override { return is_dry ? cost_per_dry_step : cost_per_series; }
 
     bool goes_together_with(const Base& other) const override {
         return has_lanes_of_its_own && dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;

@@ -51,7 +51,7 @@ public:
     }
     std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
                         analysis::StepBudget& budget) const override {
-        return follow_steps(body(), z, steps, stop, budget,
+        return follow_steps(body(), z, steps, stop, budget, this->cost_per_contact_step(),
                             [this, horizon](Step& step) { return advance(step, horizon, {}); });
     }
 

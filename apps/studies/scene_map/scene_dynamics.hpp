@@ -4,6 +4,7 @@
 #include "apps/studies/scene_map/accuracy.hpp"
 #include "apps/studies/scene_map/lanes.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
+#include "apps/studies/scene_map/step_cost.hpp"
 #include "map/derivative/saltation.hpp"
 #include "map/map_list.hpp"
 
@@ -37,6 +38,9 @@ public:
     /// See analysis::follow.
     virtual std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
                                 analysis::StepBudget& budget) const = 0;
+
+    /// What a step of contact costs (step_cost.hpp).
+    virtual double cost_per_contact_step() const { return cost_per_series; }
 
     /// Orbits that take their steps together, lane by lane; only where the rule and the arithmetic have lanes.
     virtual bool goes_together_with(const SceneDynamics&) const { return false; }

@@ -103,7 +103,7 @@ template <int D>
 auto SceneMap<D>::advance_by(const ReturnStep<double>& known) const -> analysis::Advance<D, State> {
     analysis::Advance<D, State> step;
     step.alive = goes_on(known);
-    step.cost = cost_of(known);
+    step.cost = cost_of(known, dynamics_->cost_per_contact_step());
     if (step.alive) fill(step, known);
     step.derivative_is_zero = has_rested(known);
     return step;
@@ -114,7 +114,8 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     const ReturnStep<double> known = return_step(z);
     analysis::Linearised<D, State> step;
     step.alive = goes_on(known);
-    step.cost = 2 * cost_of(known);  // of a last contact too: 10⁵ series, where it is cut
+    step.cost =
+        2 * cost_of(known, dynamics_->cost_per_contact_step());  // of a last contact too: 10⁵ series, where it is cut
     if (!step.alive) return step;
     fill(step, known);
     if (known.contacts.empty()) {
@@ -123,7 +124,7 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     }
     long series = 0;
     step.derivative = through_contact(section_point(z), known, series);
-    step.cost += cost_per_series * static_cast<double>(series);
+    step.cost += dynamics_->cost_per_contact_step() * static_cast<double>(series);
     return step;
 }
 

@@ -31,6 +31,12 @@ class DryFloor(InFolder, FollowedOrRefused):
         found = document(f"orbits {DRY} --period 1 --starts 300 --trajectories 2")["orbits"]
         self.assertLess(min(abs(orbit["mean_S"] - mode["mean_S"]) for orbit in found if orbit["stability"] == "stable"), 1e-9)
 
+    def test_a_cycle_through_contact_is_found(self):
+        hexagon = "--sides 6 --alpha 0.8 --beta 0.3 --mu 0.3 --restitution 0.1 --gravity-ratio 0.620655 --collisions 500 --transient 500"
+        for friction, period in ((0, 1), (0.02, 1), (0.44, 6)):
+            mode = document(f"classify {hexagon} --floor-friction {friction} --seed 3")
+            self.assertEqual((mode["mode"], mode["kind"], mode["period"]), ("quasi-steady", "landing", period), friction)
+
     def test_endings_have_names(self):
         slow = "--x 0.5 --y 0 --vx 0.02 --vy 0.3 --angle 0.1 --spin 0.2"
         stops = f"{PLAIN} --floor-friction 0.3 --gravity-ratio 2"  # a_f = 0.6 > beta: it stops, and the dish carries it
@@ -161,6 +167,8 @@ class DryFloor(InFolder, FollowedOrRefused):
         scene = document(f"simulate {PLAIN} {units} --floor-friction 0.1 --collisions 3")["scene"]
         self.assertAlmostEqual(scene["gravity_ratio"], 9.80665 / (0.1 * 14 ** 2), delta=1e-15)
         self.assertIn("--gravity-ratio is missing", run(f"simulate {PLAIN} --floor-friction 0.1").stderr)
+        along = run(f"bifurcate {DRY} --along floor-friction=0.02:0.05:3")
+        self.assertEqual((along.returncode, "sweep --grid floor-friction=" in along.stderr), (2, True))
 
     def test_grids_over_friction(self):
         cells = document(f"sweep {PLAIN} --gravity-ratio 1 --grid floor-friction=0.01:0.05:2 --runs 1 --transient 50 "

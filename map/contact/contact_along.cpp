@@ -114,7 +114,7 @@ PostImpactState<J> contact_along(const ContactScene<double>& plain, const Contac
                                  long* steps) {
     SmoothPieces<J> pieces{plain, scene};
     contact_detail::SegmentFollower<J, SmoothPieces<J>> follower{scene, pieces, landing, vertex_step};
-    const PostImpactState<J> end = follower.follow(phase);
+    PostImpactState<J> end = follower.follow(phase);
     if (steps) *steps += pieces.steps;
     return end;
 }

@@ -149,10 +149,7 @@ private:
     /// At the release: the neighbour of the vertex that leaves is at the wall and approaches.
     bool strikes_at_once() {
         if constexpr (shape == Shape::polygon) {
-            look_around(flight_, result_.moment, pair_);
-            if (!at_wall(pair_.first) && !at_wall(pair_.second)) return false;
-            detail::choose(pair_, 1.0, result_.found);
-            return true;
+            return a_vertex_strikes();
         } else {
             return false;
         }
@@ -163,10 +160,7 @@ private:
         if constexpr (shape == Shape::disk) {
             return infinity;
         } else {
-            const Bounds bounds = bounds_from(flight_, result_.moment, course_.step());
-            const double distance = detail::magnitude(result_.moment.at.centre);
-            return std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance),
-                            distance / (2 * bounds.drift));
+            return two_are_enough(bounds_from(flight_, result_.moment, course_.step()));
         }
     }
 
@@ -258,20 +252,27 @@ private:
         const double ring = 0.25 * (body_.outer * body_.outer - body_.inner * body_.inner);
         const double by_circle = safe_step(value, centre_rate(at), bounds.centre_second);
         if (value < -ring) return step_at_least(by_circle);
-        look_around(flight_, result_.moment, pair_);
-        const bool first = at_wall(pair_.first), second = at_wall(pair_.second);
-        if (first || second) {
-            result_.found.at.time = at.time;
-            detail::choose(pair_, 1.0, result_.found);
-            return 0;
-        }
-        // two_are_enough, with the bounds of this step
-        const double distance = detail::magnitude(at.centre);
-        const double limit =
-            std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance), distance / (2 * bounds.drift));
+        if (a_vertex_strikes()) return 0;
+        const double limit = two_are_enough(bounds);
         const double step = std::min(safe_step(pair_.first.gap.value, pair_.first.gap.rate, bounds.vertex_second),
                                      safe_step(pair_.second.gap.value, pair_.second.gap.rate, bounds.vertex_second));
         return step_at_least(std::max(std::min(step, limit), value < 0 ? by_circle : 0));  // both are safe
+    }
+
+    /// At the moment one of the two nearest vertices is on the wall, and approaches.
+    bool a_vertex_strikes() {
+        look_around(flight_, result_.moment, pair_);
+        if (!at_wall(pair_.first) && !at_wall(pair_.second)) return false;
+        result_.found.at.time = result_.moment.at.time;
+        detail::choose(pair_, 1.0, result_.found);
+        return true;
+    }
+
+    /// For how long none but the two nearest vertices can come to the wall (bounds.hpp), with the bounds of this step.
+    double two_are_enough(const Bounds& bounds) const {
+        const double distance = detail::magnitude(result_.moment.at.centre);
+        return std::min(0.5 * body_.spacing / (bounds.spin + 2 * bounds.drift / distance),
+                        distance / (2 * bounds.drift));
     }
 
     /// Not the vertex that leaves from there at the start.

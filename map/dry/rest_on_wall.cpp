@@ -255,13 +255,10 @@ DryChoice from_rest(const DryWall<double>& wall, Support support, const ContactS
     const bool begins = before == ContactEvent::landing || before == ContactEvent::strike;
     DryChoice stays{{true, support, ContactMotion::sticking, z, vertex_step}, {support}};
     stays.motion.rests = true;
+    if (begins && support == Support::edge && wall.contact.body.beta > wall.deceleration)
+        if (const auto lifts = lift_from_rest(wall, z, vertex_step, true)) return *lifts;
     const double reserve = rest_reserve(wall, support, z);
-    if (before != ContactEvent::slip && reserve >= 0) {
-        const bool may_lift = support == Support::edge && begins && wall.contact.body.beta > wall.deceleration;
-        if (may_lift)
-            if (const auto lifts = lift_from_rest(wall, z, vertex_step, true)) return *lifts;
-        return stays;
-    }
+    if (before != ContactEvent::slip && reserve >= 0) return stays;
     DryChoice leaves = stays;
     leaves.choice.stays = false;
     if (support != Support::edge) {
@@ -273,8 +270,6 @@ DryChoice from_rest(const DryWall<double>& wall, Support support, const ContactS
         }
     } else {
         if (is_pulled_off(z) && is_pulled_off(other_end(wall.contact, z))) return leaves;
-        if (begins)
-            if (const auto lifts = lift_from_rest(wall, z, vertex_step, true)) return *lifts;
         if (const auto slides = slide_on_edge_from_rest(wall, z)) {
             stays.choice.motion = slides->motion;
             return {stays.choice, *slides};

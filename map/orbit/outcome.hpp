@@ -20,7 +20,7 @@ enum class Outcome {
                  ///< wall again (proven)
     contact_with_drag,  ///< of records up to November 2026 alone: contact over a floor that drags began
     contact_of_corner,  ///< a rounded corner came to stay on the wall, on which it would roll or slide: not followed
-    contact_over_dry_floor  ///< of records up to November 2026 alone: a polygon came to stay on the wall over dry friction
+    contact_over_dry_floor  ///< of such records alone: a polygon came to stay on the wall over dry friction
 };
 
 /// True if the body was on the wall at the end.

@@ -113,8 +113,11 @@ def followed(motion, duration):
 
 
 def contact_motion_over_dry_floor(entry, text):
+    return with_end(entry, Motion(entry), text)
+
+
+def with_end(entry, motion, text):
     """The entry with `event` and `end` computed anew."""
-    motion = Motion(entry)
     event, t, y = followed(motion, number(mpf(entry["duration"])))
     values = [t, *motion.state(t, y)]
     shown = [mpf(numpy.format_float_scientific(value, 25)) if abs(value) > 1e-15 else mpf(0) for value in values]

@@ -7,10 +7,10 @@ clockwise vertex) until its event, or for `duration`; `end` is the time and thes
 """
 
 import numpy
-from mpmath import mp, mpf
+from mpmath import mpf
 
 import dry
-from dry_contact import followed
+from dry_contact import with_end
 from dynamics import scene_of
 
 number = dry.number
@@ -120,9 +120,4 @@ class PolygonMotion:
 
 
 def polygon_contact_over_dry_floor(entry, text):
-    """The entry with `event` and `end` computed anew."""
-    motion = PolygonMotion(entry)
-    event, t, y = followed(motion, number(mpf(entry["duration"])))
-    values = [t, *motion.state(t, y)]
-    shown = [mpf(numpy.format_float_scientific(value, 25)) if abs(value) > 1e-15 else mpf(0) for value in values]
-    return {**entry, "event": event, "end": [text(value, dry.DIGITS) for value in shown]}
+    return with_end(entry, PolygonMotion(entry), text)

@@ -9,8 +9,15 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace swirl {
+
+/// A scene's contact where a number of the scene is `apart` larger and smaller.
+struct DryWallsApart {
+    DryWall<double> larger, smaller;
+    double apart = 0;
+};
 
 /// A scene's contact, and what differentiates along it.
 template <class J>
@@ -18,10 +25,8 @@ struct DryWallInJets {
     DryWall<double> plain;
     DryWall<J> wall;
     DryWall<ContactJet<1>> in_time;  ///< carries no derivatives of its own
-    /// The scene where the number along which Jets are taken is `apart` larger and smaller; 0 where they are taken
-    /// along the state.
-    DryWall<double> larger, smaller;
-    double apart = 0;
+    /// Of the number along which Jets are taken; nothing where they are taken along the state.
+    std::optional<DryWallsApart> along;
 };
 
 namespace detail {
@@ -42,24 +47,24 @@ T vanishing_over(const DryWall<T>& wall, const DryMotion& motion, ContactEvent e
     return event == ContactEvent::jam ? r.stiffness : T(1);
 }
 
-/// Values of three numbers that depend on ψ and χ at rest and on the scene, known to √ε.
+/// Values of two numbers that depend on ψ and χ at rest and on the scene, known to √ε.
 template <class J, class Of>
-std::array<J, 3> through_rest(const DryWallInJets<J>& jets, const ContactState<J>& z, const Of& of) {
+std::array<J, 2> through_rest(const DryWallInJets<J>& jets, const ContactState<J>& z, const Of& of) {
     constexpr double apart = 1e-6;
     const auto at = [&](const DryWall<double>& wall, double psi, double chi) {
         return of(wall, ContactState<double>{z.psi.a + psi, z.chi.a + chi, 0, 0});
     };
-    const std::array<double, 3> here = at(jets.plain, 0, 0);
-    const std::array<double, 3> after = at(jets.plain, apart, 0), before = at(jets.plain, -apart, 0);
-    const std::array<double, 3> left = at(jets.plain, 0, apart), right = at(jets.plain, 0, -apart);
-    std::array<J, 3> values;
+    const std::array<double, 2> here = at(jets.plain, 0, 0);
+    const std::array<double, 2> after = at(jets.plain, apart, 0), before = at(jets.plain, -apart, 0);
+    const std::array<double, 2> left = at(jets.plain, 0, apart), right = at(jets.plain, 0, -apart);
+    std::array<J, 2> values;
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = J(here[i]);
         values[i].v = (after[i] - before[i]) / (2 * apart) * z.psi.v + (left[i] - right[i]) / (2 * apart) * z.chi.v;
     }
-    if (!(jets.apart > 0)) return values;
-    const std::array<double, 3> more = at(jets.larger, 0, 0), less = at(jets.smaller, 0, 0);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i].v[0] += (more[i] - less[i]) / (2 * jets.apart);
+    if (!jets.along) return values;
+    const std::array<double, 2> more = at(jets.along->larger, 0, 0), less = at(jets.along->smaller, 0, 0);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].v[0] += (more[i] - less[i]) / (2 * jets.along->apart);
     return values;
 }
 
@@ -99,11 +104,10 @@ private:
     /// ψ at which the rest ends; χ stays.
     ContactState<J> after_rest(const ContactSegment& piece, const ContactState<J>& z) const {
         ContactState<J> end{J(piece.to.psi), z.chi, J(0), J(0)};
-        const ContactState<J> there{J(piece.to.psi), z.chi, J(0), J(0)};
         const auto reserve = [&](const DryWall<double>& wall, const ContactState<double>& at) {
-            return std::array<double, 3>{rest_reserve(wall, piece.support, at), 0, 0};
+            return std::array<double, 2>{rest_reserve(wall, piece.support, at), 0};
         };
-        const J changes = detail::through_rest(jets, there, reserve)[0];
+        const J changes = detail::through_rest(jets, end, reserve)[0];
         constexpr double apart = 1e-6;
         const auto at_psi = [&](double psi) {
             return rest_reserve(jets.plain, piece.support, {piece.to.psi + psi, piece.to.chi, 0, 0});
@@ -118,9 +122,9 @@ private:
         if (!(creeps > 0)) return dry_station(jets.wall, motion, J(0), {z.psi, z.chi, z.ut, z.spin, J(0), J(0)});
         const auto creep = [&](const DryWall<double>& wall, const ContactState<double>& at) {
             const ContactState<double> state = creep_from_rest(wall, motion, at, creeps).state;
-            return std::array<double, 3>{state.ut, state.spin, 0};
+            return std::array<double, 2>{state.ut, state.spin};
         };
-        const std::array<J, 3> slips = detail::through_rest(jets, z, creep);
+        const std::array<J, 2> slips = detail::through_rest(jets, z, creep);
         const DryPlace<double>& y = course.station().y;
         DryPlace<J> place{z.psi, z.chi, slips[0], slips[1], J(y[4]), J(y[5])};
         for (std::size_t i = 0; i < 4; ++i) place[i].a = y[i];

@@ -10,24 +10,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace swirl {
 
 namespace detail {
 
 /// F(z) in Jets.
-///   apart  how far scenes lie apart from which differences are taken along a number of the scene; 0: along the state
+///   along  of which differences are taken along a number of the scene; nothing along the state
 template <class J, Shape shape, ImpactRule rule>
 PostImpactState<J> return_over_dry_floor(const ReturnMap<DryMap<double, shape, rule>>& map, const Scene<J>& scene,
-                                         const Scene<double>& larger, const Scene<double>& smaller, double apart,
-                                         const PostImpactState<J>& near, const KnownContact& contact,
-                                         const ReturnStep<double>& known) {
+                                         const std::optional<DryWallsApart>& along, const PostImpactState<J>& near,
+                                         const KnownContact& contact, const ReturnStep<double>& known) {
     using InTime = ContactJet<1>;
     const auto& plain = map.map();
     const DryMap<J, shape, rule> jets(scene, nullptr, plain.pressure());
     const DryMap<InTime, shape, rule> in_time(scene_in<InTime>(plain.scene()), nullptr, plain.pressure());
-    const DryMap<double, shape, rule> more(larger, nullptr, plain.pressure()), less(smaller, nullptr, plain.pressure());
-    const DryWallInJets<J> walls{plain.wall(), jets.wall(), in_time.wall(), more.wall(), less.wall(), apart};
+    const DryWallInJets<J> walls{plain.wall(), jets.wall(), in_time.wall(), along};
     const ContactScene<J> at_landing = scene_at(walls.wall, near);
     DryPieces<J> pieces{walls};
     contact_detail::SegmentFollower<J, DryPieces<J>> follower{walls.wall.contact, pieces,
@@ -70,8 +69,8 @@ auto derivative_through_contact(const ReturnMap<DryMap<double, shape, rule>>& ma
     Derivative derivative = Derivative::Constant(std::numeric_limits<double>::quiet_NaN());
     if (!contact.is(known)) return derivative;
     const Scene<double>& scene = map.map().scene();
-    const auto next = coordinates<shape>(section_point(detail::return_over_dry_floor(
-        map, scene_in<J>(scene), scene, scene, 0, seeded<J, shape>(base), contact, known)));
+    const auto next = coordinates<shape>(section_point(
+        detail::return_over_dry_floor(map, scene_in<J>(scene), std::nullopt, seeded<J, shape>(base), contact, known)));
     for (int i = 0; i < dimension; ++i) derivative.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
     const double speed = scene.beta + speed_of(map.map().body(), z.vn, z.vt, z.spin);
     return Derivative(detail::without_rounding(derivative, speed));
@@ -91,11 +90,15 @@ auto derivative_along_contact(const ReturnMap<DryMap<double, shape, rule>>& map,
     if (!contact.is(known)) return column;
     Scene<J> along = scene_in<J>(map.map().scene());
     number_of(along, parameter).v[0] = 1;
-    Scene<double> larger = map.map().scene(), smaller = larger;
-    number_of(larger, parameter) += apart;
-    number_of(smaller, parameter) -= apart;
-    const auto next = coordinates<shape>(section_point(
-        detail::return_over_dry_floor(map, along, larger, smaller, apart, state_in_jets<J>(base), contact, known)));
+    const auto wall_at = [&](double change) {
+        Scene<double> moved = map.map().scene();
+        number_of(moved, parameter) += change;
+        return DryMap<double, shape, rule>(moved, nullptr, map.map().pressure())
+            .wall();  // refers to the map's pressure
+    };
+    const DryWallsApart walls{wall_at(apart), wall_at(-apart), apart};
+    const auto next = coordinates<shape>(
+        section_point(detail::return_over_dry_floor(map, along, walls, state_in_jets<J>(base), contact, known)));
     for (int i = 0; i < dimension; ++i) column[i] = next[static_cast<std::size_t>(i)].v[0];
     return column;
 }
